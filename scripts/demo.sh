@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 Straightedge contributors
+# SPDX-License-Identifier: MIT
+#
+# Sets up a fresh Debian 12 or Ubuntu 24.04 machine, builds the program and makes line maps of the
+# shipped pictures: scripts/demo.sh [OUTPUT FOLDER, default out/demo]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+out=${1:-out/demo}
+
+bash scripts/install_packages.sh program
+launcher=()
+if command -v ccache >/dev/null; then
+  launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+fi
+cmake --preset program "${launcher[@]}"
+cmake --build --preset program --parallel "$(nproc)"
+straightedge=build/program/bin/straightedge
+mkdir -p "$out"
+
+# run SENTENCE ARGUMENTS: says what comes, shows the command, runs it.
+run() {
+  echo
+  echo "$1"
+  shift
+  printf '  $ straightedge'
+  printf ' %q' "$@"
+  echo
+  "$straightedge" "$@"
+}
+
+run "A floor plan of an office, with its ROS YAML, becomes a line map in metres:" \
+  lines fixtures/maps/mrpt/map.yaml -o "$out/office.xml" \
+  --svg "$out/office.svg" --png "$out/office.png" --csv "$out/office.csv"
+run "A corridor as a robot's laser mapped it; rays and unknown space are no walls:" \
+  lines fixtures/maps/mrpt_corridor/map.yaml -o "$out/corridor.xml" \
+  --svg "$out/corridor.svg" --png "$out/corridor.png"
+run "Every stage of the way, as pictures with a page that explains them:" \
+  explain fixtures/maps/mrpt/basic_map.png -o "$out/explain"
+run "The map file keeps every rule of its format:" \
+  validate "$out/office.xml"
+
+echo
+echo "Made in $out:"
+(cd "$out" && find . -type f -printf '  %-32P %9s bytes\n' | sort)
+echo
+echo "Look at $out/office.png, $out/corridor.png and $out/explain/index.html."
