@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+
+#include "source_rules.hpp"
+
+namespace project {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+// The table of the tree: module -> modules it may include besides itself. "host" are public headers that
+// belong to no module of their own, such as the image that owns its pixels.
+const std::map<std::string, Names> may_include = {
+    {"base", {}},
+    {"canny", {"base"}},
+    {"fit", {"base"}},
+    {"hough", {"base", "fit"}},
+    {"host", {"base", "canny", "fit", "hough"}},
+    {"map", {"base", "canny", "fit", "hough", "host"}},
+    {"io", {"base", "canny", "map", "host"}},
+    {"cli", {"base", "canny", "fit", "hough", "host", "map", "io"}},
+};
+const Names core_modules = {"base", "canny", "fit", "hough"};
+
+// Standard headers that need neither heap nor run-time support.
+const Names core_headers = {"algorithm", "array",   "bit",     "climits", "compare",     "concepts",
+                            "cstddef",   "cstdint", "cstring", "limits",  "new",         "numeric",
+                            "span",      "tuple",   "utility", "version", "type_traits", "iterator"};
+
+// Other people's libraries and the one module that may see each.
+const std::map<std::string, Names> library_users = {
+    {"tinyxml2.h", {"io"}}, {"stb", {"io"}},   {"png.h", {"io"}},      {"zlib.h", {"io"}},
+    {"yaml-cpp/", {"io"}},  {"CLI/", {"cli"}}, {"nlohmann/", {"cli"}}, {"Eigen/", {"map"}},
+    {"opencv", {}},         {"boost/", {}},    {"pcl/", {}},
+};
+
+// The module whose .cpp has the header's name; by prefix where a module's name starts it.
+std::string owner_of_public_header(const fs::path& root, const fs::path& header) {
+  const std::string stem = header.stem().string();
+  for (const auto& [module, allowed] : may_include) {
+    if (stem == module || stem.starts_with(module + "_")) {
+      if (core_modules.contains(module)) return module;
+    }
+    if (fs::exists(root / "src" / module / (stem + ".cpp"))) return module;
+  }
+  const bool host = header.parent_path().filename() == "host";
+  return host ? "host" : "base";
+}
+
+std::optional<std::string> module_of_include(const fs::path& root, const fs::path& from_module,
+                                             const fs::path& from_file, const std::string& name) {
+  const fs::path path = name;
+  if (name.starts_with("straightedge/")) {
+    if (!fs::exists(root / "include" / path)) return std::nullopt;
+    return owner_of_public_header(root, path);
+  }
+  const std::string first = path.begin()->string();
+  if (may_include.contains(first) && fs::exists(root / "src" / path)) return first;
+  if (fs::exists(from_file.parent_path() / path)) return from_module.string();
+  return std::nullopt;
+}
+
+std::optional<std::string> objection_to_own(const std::string& module,
+                                            const std::optional<std::string>& target,
+                                            const std::string& name) {
+  if (!target) return "includes \"" + name + "\", which is not in the tree";
+  if (*target == module || may_include.at(module).contains(*target)) return std::nullopt;
+  return module + " may not include " + name + " of " + *target;
+}
+
+std::optional<std::string> objection_to_foreign(const std::string& module, bool is_public,
+                                                const std::string& name) {
+  for (const auto& [library, users] : library_users) {
+    if (!name.starts_with(library)) continue;
+    if (is_public) return "a public header may not include <" + name + ">";
+    if (users.contains(module)) return std::nullopt;
+    return module + " may not include <" + name + ">";
+  }
+  if (core_modules.contains(module) && !core_headers.contains(name)) {
+    return "the core may not include <" + name + ">";
+  }
+  return std::nullopt;
+}
+
+void check_file(const fs::path& root, const fs::path& file, const std::string& module, bool is_public,
+                std::vector<Breach>& breaches) {
+  static const std::regex include_line(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
+  const std::vector<std::string> lines = lines_of(file);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::smatch match;
+    if (!std::regex_search(lines[i], match, include_line)) continue;
+    const std::string name = match[2];
+    const auto objection = match[1] == "\"" && !name.starts_with("stb")
+                               ? objection_to_own(module, module_of_include(root, module, file, name), name)
+                               : objection_to_foreign(module, is_public, name);
+    if (objection) breaches.push_back({fs::relative(file, root).string(), i + 1, *objection});
+  }
+}
+
+}  // namespace
+
+std::vector<Breach> include_breaches(const fs::path& root) {
+  std::vector<Breach> breaches;
+  for (const fs::path& file : files_below(root / "src", {".hpp", ".cpp"})) {
+    const std::string module = fs::relative(file, root / "src").begin()->string();
+    if (may_include.contains(module)) {
+      check_file(root, file, module, false, breaches);
+    } else {
+      breaches.push_back(
+          {fs::relative(file, root).string(), 0, "the table of modules does not know " + module});
+    }
+  }
+  for (const fs::path& file : files_below(root / "include", {".hpp"})) {
+    check_file(root, file, owner_of_public_header(root, file), true, breaches);
+  }
+  return breaches;
+}
+
+}  // namespace project

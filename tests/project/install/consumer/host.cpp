@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+
+#include <straightedge/host/image_file.hpp>
+#include <straightedge/host/map_file.hpp>
+
+// A map goes to XML and comes back; a file that is not there is a sentence.
+int main() {
+  straightedge::LineMap map;
+  map.meta.name = "consumer";
+  map.image = straightedge::MapImage{.file = "none.png", .size = {4, 3}, .placement = {}, .meaning = {}};
+  const auto xml = straightedge::line_map_to_xml(map);
+  if (!xml) return 1;
+  const auto back = straightedge::line_map_from_xml(*xml, "memory");
+  if (!back || back->meta.name != "consumer") return 1;
+  const auto absent = straightedge::read_gray_image("absent.png");
+  if (absent) return 1;
+  std::printf("%s\n", absent.failure().sentence.c_str());
+  return 0;
+}
