@@ -15,7 +15,7 @@ function(must_fail)
   endif()
 endfunction()
 
-set(tools -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
+set(tools -G ${GENERATOR} --no-warn-unused-cli -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
     -DCMAKE_BUILD_TYPE=Debug)
 
 # consume(NAME [cmake arguments]): builds the consumer project and runs what it made.
@@ -55,8 +55,8 @@ endif()
 # find_package
 set(found -DCMAKE_PREFIX_PATH=${prefix})
 consume("core only" ${found} -DCOMPONENTS=core -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON
-        -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON -DCMAKE_DISABLE_FIND_PACKAGE_yaml-cpp=ON)
-consume("core and host" ${found} "-DCOMPONENTS=core\;host")
+        -DCMAKE_DISABLE_FIND_PACKAGE_yaml-cpp=ON)
+consume("core and host" ${found} -DCOMPONENTS=core,host)
 consume("no components" ${found})
 if(NOT EXISTS "${WORK}/no components/host")
   message(FATAL_ERROR "without components find_package did not give the host library")
