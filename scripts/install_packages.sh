@@ -7,8 +7,8 @@
 #   tests    that, and what the tests, examples, benchmarks and the second compiler need (default)
 set -euo pipefail
 
-packages=(g++ cmake ninja-build pkg-config libeigen3-dev libtinyxml2-dev libstb-dev libpng-dev
-  zlib1g-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev)
+packages=(g++ cmake ninja-build pkg-config libeigen3-dev libtinyxml2-dev libstb-dev
+  libyaml-cpp-dev libcli11-dev nlohmann-json3-dev)
 case "${1:-tests}" in
   program) ;;
   tests) packages+=(binutils ccache catch2 clang libbenchmark-dev libxml2-utils) ;;
