@@ -23,6 +23,8 @@ class SampleTree {
     write("include/straightedge/image.hpp", spdx);
     write("include/straightedge/canny.hpp", spdx + "#include \"straightedge/image.hpp\"\n");
     write("include/straightedge/host/map_file.hpp", spdx + "#include <string>\n");
+    write("include/straightedge/host/canny.hpp",
+          spdx + "#include <memory>\n#include \"straightedge/canny.hpp\"\n");
     write("src/canny/canny.cpp", spdx + "#include \"straightedge/canny.hpp\"\n#include <cstdint>\n");
     write("src/io/map_file.cpp", spdx + "#include <tinyxml2.h>\n#include \"straightedge/image.hpp\"\n");
   }
