@@ -106,9 +106,12 @@ Result<Done> write_file_atomically(const fs::path& file, std::string_view bytes)
   // Replacing a file needs write permission on its folder alone; a protected file stays protected.
   if (exists && ::access(file.c_str(), W_OK) != 0) return cannot_write(file, errno);
 
+  fs::path target = file;
   std::error_code error;
-  fs::path target = fs::is_symlink(file, error) ? fs::weakly_canonical(file, error) : file;
-  if (error) return cannot_write(file, error.value());
+  if (fs::is_symlink(fs::symlink_status(file, error))) {
+    target = fs::weakly_canonical(file, error);
+    if (error) return cannot_write(file, error.value());
+  }
   const DeferredSignals deferred;
   return write_aside_and_rename(file, target, bytes, exists ? &old : nullptr);
 }

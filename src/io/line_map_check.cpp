@@ -99,7 +99,7 @@ class Checker {
     for (const Point2 end : ends) {
       const double distance = std::abs(signed_distance(end, line.rho, line.theta));
       if (!(distance <= tolerance)) {
-        return report_segment(segment, "an end lies " + io::to_text(distance) + " off its line");
+        return report_segment(segment, "an end lies " + io::to_short_text(distance) + " off its line");
       }
     }
     if (!(length_along(segment, line.theta) > 0)) {

@@ -25,6 +25,13 @@ inline std::string to_text(std::integral auto value) {
   return {text, end.ptr};
 }
 
+/// Three significant digits, for sentences.
+inline std::string to_short_text(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3);
+  return {text, end.ptr};
+}
+
 /// A fixed number of decimals, for pictures.
 inline std::string to_text(double value, int decimals) {
   char text[400];

@@ -49,7 +49,7 @@ std::string reason_of(tinyxml2::XMLError error) {
     case tinyxml2::XML_ERROR_PARSING_COMMENT:
       return "a comment has no end";
     default:
-      return "it is broken";
+      return "it is broken or ends too early";
   }
 }
 
