@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "io/stb_decode.hpp"
+
+#include <climits>
+#include <memory>
+
+#include "io/gray_weights.hpp"
+#include "io/image_size.hpp"
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_STDIO
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_TGA
+#include <stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace straightedge::io {
+namespace {
+
+Failure unreadable(const std::string& name) {
+  const char* reason = stbi_failure_reason();
+  return {Problem::bad_content, name + ": is not an image that can be read (" +
+                                    (reason != nullptr ? reason : "unknown reason") + ")"};
+}
+
+/// One or two channels are gray (and alpha), three or four are colour (and alpha).
+void to_gray(const std::uint8_t* values, int channels, ImageView<std::uint8_t> gray) {
+  for (std::int32_t y = 0; y < gray.height; ++y) {
+    std::uint8_t* row = gray.row(y);
+    for (std::int32_t x = 0; x < gray.width; ++x, values += channels) {
+      row[x] = channels < 3 ? values[0] : gray_of(values[0], values[1], values[2]);
+    }
+  }
+}
+
+}  // namespace
+
+Result<Image<std::uint8_t>> decode_by_stb(std::string_view bytes, const std::string& name) {
+  if (bytes.size() > INT_MAX) return Failure{Problem::bad_content, name + ": is longer than 2 GB"};
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int length = static_cast<int>(bytes.size());
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  if (stbi_info_from_memory(data, length, &width, &height, &channels) == 0) return unreadable(name);
+  const auto size = checked_size(width, height, name);
+  if (!size) return size.failure();
+
+  // The 8-bit entry keeps the upper byte of 16-bit values; zero wanted channels leaves colour to us.
+  const std::unique_ptr<stbi_uc, void (*)(void*)> values(
+      stbi_load_from_memory(data, length, &width, &height, &channels, 0), stbi_image_free);
+  if (values == nullptr) return unreadable(name);
+  if (Size{width, height} != *size)
+    return Failure{Problem::bad_content, name + ": contradicts its own header"};
+  Image<std::uint8_t> gray(*size);
+  to_gray(values.get(), channels, gray.view());
+  return gray;
+}
+
+}  // namespace straightedge::io
