@@ -16,6 +16,7 @@ struct EndPointOptions {
   double min_length = 30;      ///< pixels between the end pixels' centres, [0, 1e9]
   double max_gap = 10;         ///< pixels, [0, 1e9]
   double half_width = 1.5;     ///< pixels, [0.5, 100]
+  double min_support = 0.5;    ///< share of a piece's steps that must be carried, [0, 1]
   double gradient_window = 0;  ///< radians, [0, pi]; 0 = directions are not looked at
 };
 
@@ -32,7 +33,8 @@ struct EndPointResult {
 ///   2. Steps that are carried belong to one piece as long as no hole between them, measured along the
 ///      line, is longer than max_gap.
 ///   3. A piece ends at the edge pixels nearest to the line in its first and last carried step. It is a
-///      result if they are at least min_length apart.
+///      result if they are at least min_length apart and min_support of its steps are carried (chance
+///      pixels, bridged one by one, carry few).
 ///
 /// Segments run from left to right, those of steep lines from top to bottom. `votes` is the line's,
 /// `pixels` counts the edge pixels in the strip.

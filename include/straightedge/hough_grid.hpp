@@ -45,7 +45,8 @@ constexpr bool within(double x, double low, double high) noexcept {
 constexpr bool valid_options(const HoughOptions& o) noexcept {
   const bool common = within(o.rho_step, 1e-3, 1e5) && within(o.theta_step, 1e-5, pi) && o.threshold >= 1 &&
                       within(o.min_length, 0, 1e9) && within(o.max_gap, 0, 1e9) &&
-                      within(o.half_width, 0.5, 100) && within(o.gradient_window, 0, pi);
+                      within(o.half_width, 0.5, 100) && within(o.min_support, 0, 1) &&
+                      within(o.gradient_window, 0, pi);
   const bool angles = within(o.min_theta, 0, pi) && within(o.max_theta, 0, pi) && o.min_theta < o.max_theta;
   const bool pairs = within(o.pair_radius, 0, 1e5) && within(o.pair_min_distance, 1, 1e5) &&
                      (o.pair_radius == 0 || o.pair_min_distance < o.pair_radius) && o.pair_threshold >= 1 &&

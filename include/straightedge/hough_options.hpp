@@ -31,6 +31,8 @@ struct HoughOptions {
   double max_gap = 10;          ///< pixels, [0, 1e9]; longer holes end a segment
   double half_width = 1.5;      ///< pixels, [0.5, 100], of the strip in which end points are read;
                                 ///< standard and randomized
+  double min_support = 0.5;     ///< share of a segment's steps that edge pixels must carry, [0, 1];
+                                ///< standard and randomized
   std::uint64_t seed = 1;
   HoughGenerator generator = HoughGenerator::pcg32;
   double gradient_window = 0;  ///< radians to each side of the pixel's own direction, [0, pi]; 0 = all

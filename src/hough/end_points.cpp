@@ -15,7 +15,8 @@ Status check(GrayView edges, GradientView gradients, const HoughPeak& line,
   if (!edges.valid()) return Status::invalid_image;
   if (edges.width > 32767 || edges.height > 32767) return Status::too_large;
   if (!within(options.min_length, 0, 1e9) || !within(options.max_gap, 0, 1e9) ||
-      !within(options.half_width, 0.5, 100) || !within(options.gradient_window, 0, pi))
+      !within(options.half_width, 0.5, 100) || !within(options.min_support, 0, 1) ||
+      !within(options.gradient_window, 0, pi))
     return Status::invalid_option;
   if (!within(static_cast<double>(line.rho), -1e9, 1e9)) return Status::invalid_option;
   if (!within(static_cast<double>(line.theta), -100, 100)) return Status::invalid_option;
@@ -40,7 +41,7 @@ EndPointResult end_points(GrayView edges, GradientView gradients, const HoughPea
   // Steps 1 and 2.
   const bool all = hough::for_each_piece(edges, walk, fits, options.max_gap, [&](const hough::Piece& piece) {
     // Step 3.
-    if (!hough::long_enough(piece, options.min_length)) return true;
+    if (!hough::worth_keeping(piece, options.min_length, options.min_support)) return true;
     if (result.segments == segments.size()) return false;
     segments[result.segments++] = hough::segment_of(walk, piece, line.votes);
     return true;

@@ -52,7 +52,7 @@ class DirectionTest {
         always_(!(window > 0) || window >= pi / 2),
         cosine_(cosine),
         sine_(sine),
-        limit_(straightedge::sine(always_ ? 0 : window)) {
+        limit_(always_ ? 0 : straightedge::sine(window)) {
     limit_ *= limit_;
   }
 

@@ -3,6 +3,7 @@
 #include "straightedge/hough_lines.hpp"
 
 #include "straightedge/hough_progressive.hpp"
+#include "straightedge/hough_randomized.hpp"
 #include "straightedge/hough_standard.hpp"
 
 namespace straightedge {
@@ -52,6 +53,7 @@ HoughResult HoughLines::run(GrayView edges, GradientView gradients, std::span<Ho
       static_cast<void>(run_progressive(job));
       break;
     case HoughMethod::randomized:
+      static_cast<void>(run_randomized(job));
       break;
   }
   return job.result;

@@ -66,6 +66,7 @@ class StripWalk {
 struct Piece {
   std::int32_t first_step = 0, first_across = 0;
   std::int32_t last_step = 0, last_across = 0;
+  std::int32_t carried = 0;  ///< steps
   std::int32_t pixels = 0;
 };
 
@@ -95,7 +96,10 @@ inline Support support_at(GrayView edges, const StripWalk& walk, const Direction
   return support;
 }
 
-inline bool long_enough(const Piece& piece, double min_length) noexcept {
+/// Long enough, and carried in enough of its steps.
+inline bool worth_keeping(const Piece& piece, double min_length, double min_support) noexcept {
+  const std::int32_t steps = piece.last_step - piece.first_step + 1;
+  if (piece.carried < min_support * steps) return false;
   const double along = piece.last_step - piece.first_step;
   const double across = piece.last_across - piece.first_across;
   return along * along + across * across >= min_length * min_length;
@@ -114,9 +118,10 @@ bool for_each_piece(GrayView edges, const StripWalk& walk, const DirectionTest& 
       if (!emit(piece)) return false;
       piece.pixels = 0;
     }
-    if (piece.pixels == 0) piece = {step, support.across, step, support.across, 0};
+    if (piece.pixels == 0) piece = {step, support.across, step, support.across, 0, 0};
     piece.last_step = step;
     piece.last_across = support.across;
+    ++piece.carried;
     piece.pixels += support.pixels;
   }
   return piece.pixels == 0 || emit(piece);

@@ -28,7 +28,7 @@ bool take_segments(HoughJob& job, const ExactLine& line, std::int32_t votes, std
   const StripWalk walk(job.edges.size(), line, job.options.half_width);
   const DirectionTest fits(job.gradients, job.options.gradient_window, line.cosine, line.sine);
   return for_each_piece(remaining(job), walk, fits, job.options.max_gap, [&](const Piece& piece) {
-    if (!long_enough(piece, job.options.min_length)) return true;
+    if (!worth_keeping(piece, job.options.min_length, job.options.min_support)) return true;
     return (job.segments.empty() || job.write(segment_of(walk, piece, votes))) &&
            take_pixels(job, walk, fits, piece, taken);
   });
