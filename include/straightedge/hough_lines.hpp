@@ -6,59 +6,75 @@
 #include <cstdint>
 #include <span>
 
+#include "straightedge/arena.hpp"
+#include "straightedge/gradient_view.hpp"
+#include "straightedge/hough_grid.hpp"
+#include "straightedge/hough_memory.hpp"
+#include "straightedge/hough_options.hpp"
 #include "straightedge/image.hpp"
 #include "straightedge/status.hpp"
 
 namespace straightedge {
 
-enum class HoughMethod : std::uint8_t {
-  standard,     ///< every edge pixel votes for every angle
-  progressive,  ///< random pixels vote until a line stands out; its pixels leave
-  randomized,   ///< random pairs of pixels cast one vote each
-};
+/// Straight lines in an edge image by the Hough transform. Three methods behind one options struct;
+/// each has its own manual:
+///
+///   standard     hough_standard.hpp     equal to OpenCV 4.6's HoughLines, plus end points
+///   progressive  hough_progressive.hpp  equal to HoughLinesP with generator = opencv
+///   randomized   hough_randomized.hpp   pairs of pixels, one vote each
+///
+/// Input: `edges`, an 8-bit image; every value but 0 is an edge pixel. `gradients` only when
+/// `gradient_window` > 0: then a pixel supports a line only if its gradient lies within the window round
+/// the line's normal, modulo pi (F. O'Gorman, M. B. Clowes, 1976, doi:10.1109/T-C.1976.1674627). A pixel
+/// with null gradient has no direction and supports every line.
+///
+/// Output: `peaks` (standard, randomized) and `segments` in the order in which they are found. Standard
+/// and randomized: an empty span means that this kind is not wanted, but the standard method reads the
+/// end points of those lines alone that `peaks` holds. More than fits gives `output_full`: the
+/// first segments, and of the standard peaks those with the most votes.
+///
+/// Memory: 4 bytes a cell of the accumulator (hough_grid.hpp), and a pixel of the image 1 byte (standard)
+/// or 5 bytes (progressive, randomized, and the latter's buckets: 4 bytes for each 64 pixels at most).
+///
+/// Bad input: invalid_image (null views, no gradients where a window is asked for), size_mismatch,
+/// invalid_option, too_large, workspace_too_small, not_prepared. A blank image gives an empty result.
+class HoughLines {
+ public:
+  /// Bytes that `prepare` needs; 0 when size or options are invalid or too large.
+  static constexpr std::size_t workspace_bytes(Size size, const HoughOptions& options) noexcept {
+    const HoughGrid grid = hough_grid(size, options);
+    if (grid.status != Status::ok) return 0;
+    Arena arena = Arena::measure();
+    HoughMemory::take(arena, size, options, grid);
+    return arena.failed() ? 0 : arena.used();
+  }
 
-enum class HoughGenerator : std::uint8_t {
-  pcg32,   ///< our own, by `seed`
-  opencv,  ///< the numbers of OpenCV's HoughLinesP, for comparison; `seed` is not used
-};
+  /// After a failure `lines` is not prepared.
+  static Status prepare(HoughLines& lines, Size size, const HoughOptions& options,
+                        std::span<std::byte> workspace) noexcept;
 
-struct HoughOptions {
-  HoughMethod method = HoughMethod::progressive;
-  double rho_step = 1.0;                    ///< pixels
-  double theta_step = 0.017453292519943295; ///< radians
-  int threshold = 50;                       ///< votes
-  double min_length = 30;                   ///< pixels
-  double max_gap = 10;                      ///< pixels
-  std::uint64_t seed = 1;
-  HoughGenerator generator = HoughGenerator::pcg32;
-  double gradient_window = 0;  ///< radians to each side of the pixel's own direction; 0 = all angles
-  double min_theta = 0;        ///< standard only, radians
-  double max_theta = 3.141592653589793;
-  // Randomized only.
-  double pair_radius = 30;     ///< the second pixel lies no farther from the first; 0 = anywhere
-  double confidence = 0.99;    ///< that no line of min_length is left when drawing ends
-};
+  HoughResult run(GrayView edges, GradientView gradients, std::span<HoughPeak> peaks,
+                  std::span<HoughSegment> segments, HoughTrace trace = {}) noexcept;
+  HoughResult run(GrayView edges, std::span<HoughPeak> peaks, std::span<HoughSegment> segments,
+                  HoughTrace trace = {}) noexcept {
+    return run(edges, GradientView{}, peaks, segments, trace);
+  }
 
-/// A line in OpenCV's frame: origin at the centre of the first pixel, y down, rho may be negative.
-struct HoughPeak {
-  float rho = 0;
-  float theta = 0;
-  std::int32_t votes = 0;
-};
+  const HoughGrid& grid() const noexcept { return grid_; }
 
-/// End points as columns and rows of pixels.
-struct HoughSegment {
-  std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  std::int32_t votes = 0;
-};
+  // What the last `run` left behind.
 
-struct HoughResult {
-  Status status = Status::not_prepared;
-  std::uint32_t peaks = 0;     ///< lines written (standard, randomized)
-  std::uint32_t segments = 0;  ///< segments written
-  std::uint32_t edge_pixels = 0;
-  std::uint64_t draws = 0;     ///< pixels or pairs drawn
-  std::uint64_t seed = 0;
+  /// One row an angle, one column a distance: row n is theta = min_theta + n * theta_step. Column r is
+  /// rho = (r - (distances - 1) / 2) * rho_step, from the first pixel or (randomized) from the centre.
+  ImageView<const std::int32_t> accumulator() const noexcept;
+  /// The edge pixels that no segment took: not 0.
+  GrayView remaining() const noexcept { return {memory_.mask.data(), size_}; }
+
+ private:
+  Size size_;
+  HoughOptions options_;
+  HoughGrid grid_;
+  HoughMemory memory_;
 };
 
 }  // namespace straightedge

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "straightedge/arena.hpp"
+#include "straightedge/hough_grid.hpp"
+#include "straightedge/hough_options.hpp"
+#include "straightedge/image.hpp"
+
+namespace straightedge {
+
+/// A pixel's place in four bytes; image sides are below 2^15.
+struct PixelPlace {
+  std::uint16_t x = 0;
+  std::uint16_t y = 0;
+};
+
+/// Side of the squares in which the randomized method keeps its pixels: at least the radius, so that
+/// a square and its eight neighbours hold everything near. Without a radius the image is one square.
+constexpr std::int32_t hough_bucket_side(Size size, const HoughOptions& options) noexcept {
+  const std::int32_t longest = size.width > size.height ? size.width : size.height;
+  if (options.pair_radius == 0 || options.pair_radius >= longest) return longest;
+  const auto side = static_cast<std::int32_t>(options.pair_radius) + 1;
+  return side < 8 ? 8 : side;
+}
+
+/// The workspace of the three methods; what a method does not use stays empty.
+struct HoughMemory {
+  std::span<std::int32_t> cells;     ///< the accumulator with its guard cells
+  std::span<float> cosines;          ///< of each angle, divided by rho_step
+  std::span<float> sines;            ///< likewise
+  std::span<std::uint8_t> mask;      ///< a pixel's state, rows without gaps
+  std::span<PixelPlace> points;      ///< standard: of one row; else all edge pixels
+  std::span<std::uint32_t> buckets;  ///< randomized: where each square's pixels begin in `points`
+
+  static constexpr HoughMemory take(Arena& arena, Size size, const HoughOptions& options,
+                                    const HoughGrid& grid) noexcept {
+    const auto width = static_cast<std::size_t>(size.width);
+    const auto height = static_cast<std::size_t>(size.height);
+    const auto angles = static_cast<std::size_t>(grid.angles);
+    const auto distances = static_cast<std::size_t>(grid.distances);
+    const bool standard = options.method == HoughMethod::standard;
+    const bool randomized = options.method == HoughMethod::randomized;
+    constexpr std::size_t guards = 2 * hough_guard;
+    HoughMemory memory;
+    memory.cells = arena.take<std::int32_t>(standard ? (angles + guards) * (distances + guards)
+                                                     : angles * distances + guards);
+    if (!randomized) {
+      memory.cosines = arena.take<float>(angles);
+      memory.sines = arena.take<float>(angles);
+    }
+    memory.mask = arena.take<std::uint8_t>(width * height);
+    memory.points = arena.take<PixelPlace>(standard ? width : width * height);
+    if (randomized) {
+      const auto side = static_cast<std::size_t>(hough_bucket_side(size, options));
+      memory.buckets =
+          arena.take<std::uint32_t>(((width + side - 1) / side) * ((height + side - 1) / side) + 1);
+    }
+    return memory;
+  }
+};
+
+}  // namespace straightedge

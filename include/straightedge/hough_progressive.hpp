@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "straightedge/hough_job.hpp"
+
+namespace straightedge {
+
+/// The progressive probabilistic Hough transform: pixels vote in random order, and a line is taken as
+/// soon as it stands out, together with its pixels, which then need not vote any more.
+///
+///   1. Table: cosine and sine of n * theta_step over rho_step, as floats. List all edge pixels.
+///   2. Draw a pixel that has not been drawn; pass over those that a line has taken meanwhile.
+///   3. It votes for all angles, or those in its gradient window. The first angle with the most votes
+///      is the candidate; below `threshold` votes go back to 2.
+///   4. Walk from the pixel along the candidate, both ways, one pixel wide, to the last edge pixel before
+///      a hole longer than max_gap.
+///   5. Walk again: take all pixels up to the two ends out of the image, and their votes off the
+///      accumulator.
+///   6. If the segment is long enough, it is a result, with the candidate's votes. Back to 2.
+///
+/// J. Matas, C. Galambos, J. Kittler, 2000, doi:10.1006/cviu.1999.0831.
+/// F. O'Gorman, M. B. Clowes, 1976, doi:10.1109/T-C.1976.1674627 (the window).
+///
+/// Two generators, and with them two readings of steps 5 and 6:
+///
+///   pcg32   Numbers by `seed`, unbiased. Votes come off those pixels alone that have voted, exactly
+///           those they cast, whether the segment is long enough or not. Length is Euclidean.
+///   opencv  OpenCV 4.6's HoughLinesP, segment for segment in order: its fixed numbers; min_length
+///           and max_gap rounded to integers; length is max(|dx|, |dy|); votes come off only for
+///           segments that are long enough, but also for pixels that have not voted yet, so cells go
+///           below zero. With a gradient window (which OpenCV lacks) each pixel's votes come off in
+///           its own window.
+///
+/// Time: pixels that vote times angles in the window, plus the walks. The segment's first end lies
+/// ahead of the pixel drawn, along (-sin theta, cos theta), the second behind it.
+bool run_progressive(HoughJob& job) noexcept;
+
+}  // namespace straightedge
