@@ -24,9 +24,9 @@ struct LineMapOptions {
   PictureKind picture = PictureKind::automatic;
   CannyOptions canny;
   HoughOptions hough;
-  double min_length = 15;      ///< pixels; shorter segments are dropped
-  double max_gap = 10;         ///< pixels; a hole in a wall up to this long is bridged
-  double max_wall_width = 3.6; ///< pixels; thinner walls become one axis, thicker ones keep both faces
+  double min_length = 15;             ///< pixels; shorter segments are dropped
+  double max_gap = 10;                ///< pixels; a hole in a wall up to this long is bridged
+  double max_wall_width = 3.6;        ///< pixels; thinner walls become one axis, thicker ones keep both faces
   std::optional<RosMeaning> meaning;  ///< a ROS map's thresholds decide what is wall
 };
 

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "straightedge/image.hpp"
+
+namespace straightedge {
+
+/// What Canny leaves behind: the gradient (right minus left, below minus above) and its magnitude.
+struct GradientField {
+  ImageView<const std::int16_t> x;
+  ImageView<const std::int16_t> y;
+  ImageView<const std::int32_t> magnitude;
+
+  bool valid() const noexcept {
+    return x.valid() && y.valid() && magnitude.valid() && x.size() == y.size() &&
+           x.size() == magnitude.size();
+  }
+};
+
+/// Where between the pixels an edge runs.
+struct EdgePosition {
+  double x = 0;         ///< column; the centre of the first pixel is 0
+  double y = 0;         ///< row
+  double variance = 0;  ///< squared pixels, across the edge
+};
+
+/// Sub-pixel position of the edge at pixel (x, y), which must lie inside the field.
+///
+/// 1. Look across the edge along the image axis that is nearest to the gradient's direction.
+/// 2. Lay a parabola through the three magnitudes there; its top is where the edge crosses that row or
+///    column (a straight edge crosses it at the right place whatever its slope). At most half a pixel.
+/// 3. The sharper the parabola, the surer the place: variance = floor² + (noise / curvature)².
+///
+/// F. Devernay, "A non-maxima suppression method for edge detection with sub-pixel accuracy",
+/// INRIA RR-2724, 1995. At the image's border the pixel's centre is returned.
+EdgePosition edge_position(const GradientField& field, std::int32_t x, std::int32_t y) noexcept;
+
+}  // namespace straightedge

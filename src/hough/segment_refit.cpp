@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "straightedge/segment_refit.hpp"
+
+#include "corridor.hpp"
+#include "straightedge/trigonometry.hpp"
+
+namespace straightedge {
+namespace {
+
+// Pixels are looked for a little outside the corridor: their sub-pixel position may lie inside.
+constexpr double position_reach = 0.75;
+
+struct Extent {
+  std::int32_t first;
+  std::int32_t last;
+};
+
+/// Steps of the corridor's major axis from one end of the rough segment to the other.
+Extent steps_of(const Corridor& strip, const HoughSegment& rough) noexcept {
+  const std::int32_t a = strip.steep() ? rough.y0 : rough.x0;
+  const std::int32_t b = strip.steep() ? rough.y1 : rough.x1;
+  return a < b ? Extent{a, b} : Extent{b, a};
+}
+
+/// Step 1.
+bool find_light_side(GrayView mask, const GradientField& field, Extent steps, Corridor& strip) noexcept {
+  double sum = 0;
+  for (std::int32_t k = steps.first; k <= steps.last; ++k) {
+    visit_step(mask, strip, k, [&](std::int32_t x, std::int32_t y) noexcept {
+      const double toward = field.x.at(x, y) * strip.nx + field.y.at(x, y) * strip.ny;
+      sum += toward > 0 ? 1 : toward < 0 ? -1 : 0;
+    });
+  }
+  if (sum < 0) {
+    strip.nx = -strip.nx;
+    strip.ny = -strip.ny;
+  }
+  return sum != 0;
+}
+
+struct Collected {
+  LineMoments moments;
+  double begin = 0, end = 0;
+  std::uint32_t pixels = 0;
+};
+
+/// Step 2, in one direction of the major axis.
+void collect(GrayView mask, const GradientField& field, const Corridor& strip, const RefitOptions& options,
+             std::int32_t start, std::int32_t direction, Collected& found) noexcept {
+  Corridor wide = strip;
+  wide.half_width += position_reach;
+  const double step_length =
+      1 / (strip.steep() ? (strip.nx < 0 ? -strip.nx : strip.nx) : (strip.ny < 0 ? -strip.ny : strip.ny));
+  double hole = 0;
+  for (std::int32_t k = start; hole <= options.max_gap; k += direction) {
+    hole += step_length;
+    const bool inside = visit_step(mask, wide, k, [&](std::int32_t x, std::int32_t y) noexcept {
+      if (!strip.faces_light(field, x, y)) return;
+      const EdgePosition edge = edge_position(field, x, y);
+      const double off = strip.across(edge.x, edge.y);
+      if (off > strip.half_width || off < -strip.half_width) return;
+      const double s = strip.along(edge.x, edge.y);
+      if (found.pixels == 0) found.begin = found.end = s;
+      found.begin = s < found.begin ? s : found.begin;
+      found.end = s > found.end ? s : found.end;
+      ++found.pixels;
+      found.moments.add(edge.x - strip.px, edge.y - strip.py, 1 / edge.variance);
+      hole = 0;
+    });
+    if (!inside) break;
+  }
+}
+
+/// Step 3: the corridor laid along the new fit, its light side kept.
+bool follow(const Collected& found, Corridor& strip, LineFit& fit) noexcept {
+  if (fit_line(found.moments, fit) != Status::ok) return false;
+  const double side = fit.normal_x * strip.nx + fit.normal_y * strip.ny < 0 ? -1 : 1;
+  strip.nx = side * fit.normal_x;
+  strip.ny = side * fit.normal_y;
+  strip.px += fit.centroid_x;
+  strip.py += fit.centroid_y;
+  return true;
+}
+
+bool valid(const RefitOptions& o) noexcept {
+  return o.corridor >= 0.5 && o.corridor <= 8 && o.max_angle >= 0 && o.max_angle <= pi / 2 &&
+         o.max_gap >= 0 && o.max_gap < 1e6 && o.rounds >= 1 && o.rounds <= 20;
+}
+
+Corridor corridor_of(const HoughSegment& rough, const RefitOptions& options) noexcept {
+  const double dx = rough.x1 - rough.x0;
+  const double dy = rough.y1 - rough.y0;
+  const double length = __builtin_sqrt(dx * dx + dy * dy);
+  Corridor strip;
+  strip.px = 0.5 * (rough.x0 + rough.x1);
+  strip.py = 0.5 * (rough.y0 + rough.y1);
+  strip.nx = length > 0 ? dy / length : 1;
+  strip.ny = length > 0 ? -dx / length : 0;
+  strip.half_width = options.corridor + 0.5;  // the rough line is a pixel off at times
+  strip.cos_max_angle = cosine(options.max_angle);
+  return strip;
+}
+
+}  // namespace
+
+Status refit_segment(GrayView mask, const GradientField& field, const HoughSegment& rough,
+                     const RefitOptions& options, RefinedSegment& refined) noexcept {
+  refined = {};
+  if (!valid(options)) return Status::invalid_option;
+  if (!mask.valid() || !field.valid()) return Status::invalid_image;
+  if (mask.size() != field.x.size()) return Status::size_mismatch;
+  Corridor strip = corridor_of(rough, options);
+  if (!find_light_side(mask, field, steps_of(strip, rough), strip)) return Status::ok;
+  for (int round = 0; round < options.rounds; ++round) {
+    const double start = strip.steep() ? strip.py : strip.px;
+    const auto middle = static_cast<std::int32_t>(start + 0.5);
+    Collected found;
+    collect(mask, field, strip, options, middle, 1, found);
+    collect(mask, field, strip, options, middle - 1, -1, found);
+    const double origin_x = strip.px;
+    const double origin_y = strip.py;
+    LineFit fit;
+    if (!follow(found, strip, fit)) {
+      refined = {};
+      return Status::ok;
+    }
+    strip.half_width = options.corridor;
+    refined = {found.moments, origin_x,    origin_y,  fit,         strip.nx,
+               strip.ny,      found.begin, found.end, found.pixels};
+    const double moved = fit.centroid_x * strip.tx() + fit.centroid_y * strip.ty();
+    refined.begin -= moved;
+    refined.end -= moved;
+    refined.fit.centroid_x += origin_x;
+    refined.fit.centroid_y += origin_y;
+  }
+  return Status::ok;
+}
+
+std::uint32_t claim_pixels(ImageView<std::uint8_t> mask, const GradientField& field,
+                           const RefinedSegment& segment, double corridor, double max_angle,
+                           double margin) noexcept {
+  if (!mask.valid() || !field.valid() || mask.size() != field.x.size()) return 0;
+  Corridor strip;
+  strip.px = segment.fit.centroid_x;
+  strip.py = segment.fit.centroid_y;
+  strip.nx = segment.light_x;
+  strip.ny = segment.light_y;
+  strip.half_width = corridor;
+  strip.cos_max_angle = cosine(max_angle);
+  const double from = segment.begin - margin;
+  const double to = segment.end + margin;
+  const double direction = strip.steep() ? strip.ty() : strip.tx();
+  const double at = strip.steep() ? strip.py : strip.px;
+  const double a = at + from * direction;
+  const double b = at + to * direction;
+  const auto first = static_cast<std::int32_t>(a < b ? a : b) - 1;
+  const auto last = static_cast<std::int32_t>(a < b ? b : a) + 1;
+  std::uint32_t claimed = 0;
+  for (std::int32_t k = first; k <= last; ++k) {
+    visit_step(mask, strip, k, [&](std::int32_t x, std::int32_t y) noexcept {
+      const double s = strip.along(x, y);
+      const double off = strip.across(x, y);
+      if (s < from || s > to || off > corridor || off < -corridor || !strip.faces_light(field, x, y)) return;
+      mask.at(x, y) = 0;
+      ++claimed;
+    });
+  }
+  return claimed;
+}
+
+}  // namespace straightedge

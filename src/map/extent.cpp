@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "map/extent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "map/sample.hpp"
+
+namespace straightedge {
+namespace {
+
+constexpr double step = 0.5;
+constexpr double search = 12;       // how far beyond its edge pixels an end is looked for
+constexpr double face_depth = 2.0;  // where a face's two sides are sampled
+constexpr double axis_clearance = 2.5;
+constexpr double short_block = 3;  // a face goes on behind a block no longer than this
+
+enum class State : unsigned char { wall, hole, blocked };
+
+struct Track {
+  double first = 0;                 // along the line
+  std::vector<double> dark, light;  // gray of the wall's side and of the floor's
+  std::vector<double> presence;     // > 0 where there is wall
+  std::vector<State> state;
+  double at(std::size_t i) const { return first + step * static_cast<double>(i); }
+};
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double gray_beside(GrayView image, const WallLine& line, double s, double u) {
+  return sample(image, line.x_at(s) + u * line.nx, line.y_at(s) + u * line.ny);
+}
+
+/// Step 1.
+Track sample_track(const WallLine& line, GrayView blurred) {
+  Track track;
+  track.first = line.begin - search;
+  const auto count = static_cast<std::size_t>((line.length() + 2 * search) / step) + 1;
+  const double aside = 0.5 * line.width + axis_clearance;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double s = track.at(i);
+    if (line.axis) {
+      track.dark.push_back(gray_beside(blurred, line, s, 0));
+      track.light.push_back(
+          std::max(gray_beside(blurred, line, s, aside), gray_beside(blurred, line, s, -aside)));
+    } else {
+      track.dark.push_back(gray_beside(blurred, line, s, -face_depth));
+      track.light.push_back(gray_beside(blurred, line, s, face_depth));
+    }
+  }
+  return track;
+}
+
+/// Step 2.
+void judge(const WallLine& line, Track& track) {
+  const auto from = static_cast<std::ptrdiff_t>(search / step);
+  const auto to = static_cast<std::ptrdiff_t>(track.dark.size()) - from;
+  const double dark = median({track.dark.begin() + from, track.dark.begin() + to});
+  const double light = median({track.light.begin() + from, track.light.begin() + to});
+  const double half = 0.5 * (dark + light);
+  const double scale = light > dark ? 1 / (light - dark) : 0;
+  for (std::size_t i = 0; i < track.dark.size(); ++i) {
+    const double is_dark = (half - track.dark[i]) * scale;
+    const double is_light = (track.light[i] - half) * scale;
+    track.presence.push_back(line.axis ? is_dark : std::min(is_dark, is_light));
+    track.state.push_back(is_dark <= 0 ? State::hole : is_light <= 0 ? State::blocked : State::wall);
+  }
+}
+
+struct Piece {
+  std::size_t first, last;  // samples, both inside
+};
+
+/// Step 3.
+std::vector<Piece> pieces_of(const WallLine& line, const Track& track, const ExtentOptions& options) {
+  const double through = line.axis ? options.max_wall_width + 4 : short_block;
+  std::vector<Piece> pieces;
+  std::size_t holes = 0, blocks = 0;
+  for (std::size_t i = 0; i < track.state.size(); ++i) {
+    if (track.state[i] == State::hole) {
+      ++holes;
+    } else if (track.state[i] == State::blocked) {
+      ++blocks;
+    } else {
+      const bool near = step * static_cast<double>(holes) <= options.max_gap &&
+                        step * static_cast<double>(blocks) <= through;
+      if (!pieces.empty() && near) {
+        pieces.back().last = i;
+      } else {
+        pieces.push_back({i, i});
+      }
+      holes = blocks = 0;
+    }
+  }
+  if (!line.axis) return pieces;
+  // An axis ends where its core turns light: through the wall that it meets, if that is thin.
+  for (Piece& piece : pieces) {
+    const auto most = static_cast<std::size_t>(through / step);
+    std::size_t i = piece.last;
+    while (i + 1 < track.state.size() && track.state[i + 1] == State::blocked && i - piece.last <= most) ++i;
+    if (i - piece.last <= most) piece.last = i;
+    i = piece.first;
+    while (i > 0 && track.state[i - 1] == State::blocked && piece.first - i <= most) --i;
+    if (piece.first - i <= most) piece.first = i;
+  }
+  return pieces;
+}
+
+/// Step 4: where presence crosses zero between a sample inside and its neighbour outside.
+double crossing(const Track& track, std::size_t inside, std::ptrdiff_t direction) {
+  const std::ptrdiff_t next = static_cast<std::ptrdiff_t>(inside) + direction;
+  if (next < 0 || next >= static_cast<std::ptrdiff_t>(track.presence.size())) return track.at(inside);
+  const double here = track.presence[inside];
+  const double there = track.presence[static_cast<std::size_t>(next)];
+  const double share = here > 0 && there < 0 ? here / (here - there) : 0;
+  return track.at(inside) + static_cast<double>(direction) * step * share;
+}
+
+double darkest_across(GrayView gray, const WallLine& line, double s) {
+  double darkest = 255;
+  const double from = line.axis ? -1 : -face_depth - 0.5;
+  const double to = line.axis ? 1 : -1;
+  for (double u = from; u <= to; u += step) darkest = std::min(darkest, gray_beside(gray, line, s, u));
+  return darkest;
+}
+
+bool is_wall(const Picture& picture, const WallLine& line) {
+  if (picture.wall_below > 255) return true;
+  std::vector<double> cores;
+  for (double s = line.begin; s <= line.end; s += 1) cores.push_back(darkest_across(picture.gray, line, s));
+  return median(cores) < picture.wall_below;
+}
+
+void find_free_sides(const Picture& picture, WallLine& line) {
+  const double aside = line.axis ? 0.5 * line.width + axis_clearance : face_depth + 1;
+  std::vector<double> plus, minus;
+  for (double s = line.begin; s <= line.end; s += 1) {
+    plus.push_back(gray_beside(picture.gray, line, s, aside));
+    minus.push_back(gray_beside(picture.gray, line, s, -aside));
+  }
+  line.free_plus = median(plus) > picture.free_above;
+  line.free_minus = line.axis && median(minus) > picture.free_above;
+}
+
+}  // namespace
+
+std::vector<WallLine> measure_extents(const std::vector<WallLine>& lines, const Picture& picture,
+                                      GrayView blurred, const ExtentOptions& options) {
+  std::vector<WallLine> out;
+  for (const WallLine& line : lines) {
+    Track track = sample_track(line, blurred);
+    judge(line, track);
+    for (const Piece& piece : pieces_of(line, track, options)) {
+      WallLine part = line;
+      part.begin = crossing(track, piece.first, -1);
+      part.end = crossing(track, piece.last, 1);
+      const double common = std::min(part.end, line.end) - std::max(part.begin, line.begin);
+      if (!(part.length() > 0) || common < 0.5 * part.length()) continue;
+      part.pixels = static_cast<std::uint32_t>(line.pixels * std::min(1.0, common / line.length()) + 0.5);
+      if (!is_wall(picture, part)) continue;
+      find_free_sides(picture, part);
+      out.push_back(part);
+    }
+  }
+  return out;
+}
+
+}  // namespace straightedge

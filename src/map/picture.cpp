@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "map/picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace straightedge {
+namespace {
+
+using Histogram = std::array<std::int64_t, 256>;
+
+// ROS's usual threshold: what is darker than 35 % of white is wall. Ground is never that dark.
+constexpr int darkest_ground = 90;
+// A level is ground when this share of all pixels lies around it.
+constexpr double ground_share = 0.02;
+constexpr int level_reach = 12;
+constexpr int even_reach = 20;
+constexpr std::int32_t block = 4;
+
+Histogram histogram_of(GrayView gray) {
+  Histogram histogram{};
+  for (std::int32_t y = 0; y < gray.height; ++y) {
+    const std::uint8_t* row = gray.row(y);
+    for (std::int32_t x = 0; x < gray.width; ++x) ++histogram[row[x]];
+  }
+  return histogram;
+}
+
+/// Histogram of the means of 4x4 blocks, scaled to the number of pixels: noise averages out, even areas stay.
+Histogram block_histogram(GrayView gray) {
+  Histogram histogram{};
+  const std::int32_t side_x = std::min(block, gray.width), side_y = std::min(block, gray.height);
+  for (std::int32_t y = 0; y + side_y <= gray.height; y += side_y) {
+    for (std::int32_t x = 0; x + side_x <= gray.width; x += side_x) {
+      int sum = 0;
+      for (std::int32_t k = 0; k < side_x * side_y; ++k) sum += gray.at(x + k % side_x, y + k / side_x);
+      histogram[static_cast<std::size_t>(sum / (side_x * side_y))] += side_x * side_y;
+    }
+  }
+  return histogram;
+}
+
+std::int64_t mass_between(const Histogram& histogram, int from, int to) {
+  std::int64_t sum = 0;
+  for (int v = std::max(from, 0); v <= std::min(to, 255); ++v) sum += histogram[static_cast<std::size_t>(v)];
+  return sum;
+}
+
+/// The levels with much area around them, darkest first: tops of the histogram smoothed over a few levels.
+std::vector<int> ground_levels(const Histogram& histogram, int from, std::int64_t pixels) {
+  std::vector<int> levels;
+  for (int v = from; v < 256; ++v) {
+    const std::int64_t here = mass_between(histogram, v - 3, v + 3);
+    const std::int64_t around = mass_between(histogram, v - level_reach, v + level_reach);
+    if (static_cast<double>(around) < ground_share * static_cast<double>(pixels)) continue;
+    bool top = here > 0;
+    for (int w = std::max(from, v - level_reach); w <= std::min(255, v + level_reach) && top; ++w) {
+      const std::int64_t there = mass_between(histogram, w - 3, w + 3);
+      top = there < here || (there == here && w >= v);
+    }
+    if (!top) continue;
+    // A plateau's top is its middle: a lone level makes a plateau seven levels wide.
+    int last = v;
+    while (last < 255 && mass_between(histogram, last - 2, last + 4) == here) ++last;
+    levels.push_back((v + last) / 2);
+  }
+  return levels;
+}
+
+/// Share of the area that lies around the two levels which have most of it.
+double evenness(const Histogram& histogram, const std::vector<int>& grounds, std::int64_t pixels) {
+  std::int64_t best = 0;
+  for (const int a : grounds) {
+    const std::int64_t first = mass_between(histogram, a - even_reach, a + even_reach);
+    best = std::max(best, first);
+    for (const int b : grounds) {
+      if (b <= a) continue;
+      const int from = std::max(b - even_reach, a + even_reach + 1);
+      best = std::max(best, first + mass_between(histogram, from, b + even_reach));
+    }
+  }
+  return static_cast<double>(best) / static_cast<double>(pixels);
+}
+
+/// A map has even ground, nearly all of its area; some of it is light, and a little is dark: the walls.
+bool looks_like_map(const Histogram& histogram, const Histogram& blocks, const std::vector<int>& grounds,
+                    std::int64_t pixels) {
+  const double light = static_cast<double>(mass_between(histogram, 200, 255)) / static_cast<double>(pixels);
+  const double dark =
+      static_cast<double>(mass_between(histogram, 0, darkest_ground - 1)) / static_cast<double>(pixels);
+  return evenness(blocks, grounds, pixels) >= 0.75 && light >= 0.05 && dark <= 0.3;
+}
+
+int darkest_level(const Histogram& histogram, std::int64_t pixels) {
+  std::int64_t sum = 0;
+  for (int v = 0; v < 256; ++v) {
+    sum += histogram[static_cast<std::size_t>(v)];
+    if (static_cast<double>(sum) >= 0.001 * static_cast<double>(pixels)) return v;
+  }
+  return 0;
+}
+
+Image<std::uint8_t> through_table(GrayView gray, const std::array<std::uint8_t, 256>& table) {
+  Image<std::uint8_t> out(gray.size());
+  const ImageView<std::uint8_t> view = out.view();
+  for (std::int32_t y = 0; y < gray.height; ++y) {
+    for (std::int32_t x = 0; x < gray.width; ++x) view.at(x, y) = table[gray.at(x, y)];
+  }
+  return out;
+}
+
+std::array<std::uint8_t, 256> stretch_table(int black, int white) {
+  std::array<std::uint8_t, 256> table{};
+  const int span = std::max(white - black, 1);
+  for (int v = 0; v < 256; ++v) {
+    table[static_cast<std::size_t>(v)] =
+        static_cast<std::uint8_t>(std::clamp((2 * 255 * (v - black) + span) / (2 * span), 0, 255));
+  }
+  return table;
+}
+
+std::array<std::uint8_t, 256> inversion(bool negate) {
+  std::array<std::uint8_t, 256> table{};
+  for (int v = 0; v < 256; ++v)
+    table[static_cast<std::size_t>(v)] = static_cast<std::uint8_t>(negate ? 255 - v : v);
+  return table;
+}
+
+}  // namespace
+
+Picture understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning) {
+  Picture picture;
+  picture.gray = through_table(gray, inversion(meaning && meaning->negate));
+  const std::int64_t pixels = std::int64_t{gray.width} * gray.height;
+  const Histogram histogram = histogram_of(picture.gray);
+  int first_ground = darkest_ground;
+  if (meaning) {
+    picture.wall_below = 255.0 * (1 - meaning->occupied_thresh);
+    picture.free_above = 255.0 * (1 - meaning->free_thresh);
+    first_ground = std::clamp(static_cast<int>(picture.wall_below) + 1, 1, 255);
+  }
+  const Histogram blocks = block_histogram(picture.gray);
+  const std::vector<int> grounds = ground_levels(histogram, first_ground, pixels);
+  const bool map = asked == PictureKind::map || meaning.has_value() ||
+                   (asked == PictureKind::automatic && looks_like_map(histogram, blocks, grounds, pixels));
+  picture.kind = map ? PictureKind::map : PictureKind::photo;
+  if (!map) {
+    picture.stretched = picture.gray;
+    return picture;
+  }
+  const int ground = grounds.empty() ? 255 : grounds.front();
+  picture.ground = ground;
+  picture.stretched = through_table(
+      picture.gray, stretch_table(std::min(darkest_level(histogram, pixels), ground / 2), ground));
+  if (!meaning && grounds.size() > 1) picture.free_above = 0.5 * (grounds.front() + grounds.back());
+  return picture;
+}
+
+}  // namespace straightedge

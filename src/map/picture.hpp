@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "straightedge/host/image.hpp"
+#include "straightedge/host/line_map_builder.hpp"
+
+namespace straightedge {
+
+/// The picture as the line map sees it.
+///
+/// A map has ground (free floor, unknown space) and walls that are darker than any ground. Everything at
+/// least as light as the darkest ground is made white, the darkest level black: then neither the border
+/// of unknown space nor a laser ray drawn into it is an edge, and walls have the same contrast in every map.
+struct Picture {
+  PictureKind kind = PictureKind::photo;  ///< map or photo
+  Image<std::uint8_t> gray;               ///< as given, inverted where the map says `negate`
+  Image<std::uint8_t> stretched;          ///< black = wall, white = ground; a photo as it is
+  double ground = 255;                    ///< the darkest level of ground in `gray`
+  double wall_below = 256;                ///< a wall's core is darker than this in `gray`; 256: no such rule
+  double free_above = -1;                 ///< open floor is lighter than this in `gray`
+};
+
+Picture understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning);
+
+}  // namespace straightedge

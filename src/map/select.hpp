@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "map/wall_line.hpp"
+#include "straightedge/host/image.hpp"
+#include "straightedge/hough_lines.hpp"
+
+namespace straightedge {
+
+/// From rough segments, many of them of one and the same edge, to straight edges that share no pixel.
+///
+/// 1. Refit every rough segment on all edge pixels.
+/// 2. The one with most pixels first: refit it on the pixels that are still free. If enough are left to
+///    carry it, it is an edge, and its pixels are taken.
+/// So a duplicate finds nothing to stand on. `mask` keeps the pixels that nobody took.
+std::vector<WallLine> select_edges(std::span<const HoughSegment> rough, const GradientField& field,
+                                   const RefitOptions& options, double min_length,
+                                   ImageView<std::uint8_t> mask);
+
+}  // namespace straightedge
