@@ -5,38 +5,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "straightedge/host/line_geometry.hpp"
 #include "straightedge/trigonometry.hpp"
 
 namespace straightedge {
 namespace {
 
-struct Point {
-  double x = 0, y = 0;
-};
-
-Point centre_frame(double column, double row, Size image) {
-  return {column + 0.5 - 0.5 * image.width, 0.5 * image.height - row - 0.5};
-}
-
-/// Polar parameters in normal form; true when the normal had to be turned round.
-bool normal_form(double nx, double ny, Point on_line, MapLine& out) {
-  double theta = arc_tangent(ny, nx);
-  double rho = nx * on_line.x + ny * on_line.y;
-  const bool turn = rho < 0 || (rho == 0 && (theta <= -pi / 2 || theta > pi / 2));
-  if (turn) {
-    rho = rho == 0 ? 0 : -rho;
-    theta = theta > 0 ? theta - pi : theta + pi;
-  }
-  out.rho = rho;
-  out.theta = theta;
-  return turn;
-}
-
-/// The point of the map line nearest to p: ends lie on the line to the last bit that rho, theta allow.
-Point onto(const MapLine& line, Point p) {
-  const SineCosine n = sine_cosine(line.theta);
-  const double off = p.x * n.cosine + p.y * n.sine - line.rho;
-  return {p.x - off * n.cosine, p.y - off * n.sine};
+/// The point of the picture in the map's frame.
+Point2 centre_frame(double column, double row, Size image) {
+  return centre_from_image({column + 0.5, row + 0.5}, image);
 }
 
 FreeSide free_side(bool plus, bool minus) {
@@ -44,17 +21,16 @@ FreeSide free_side(bool plus, bool minus) {
 }
 
 MapSegment segment_of(const MapLine& line, const WallLine& wall, Size image) {
-  const Point a = onto(line, centre_frame(wall.x_at(wall.begin), wall.y_at(wall.begin), image));
-  const Point b = onto(line, centre_frame(wall.x_at(wall.end), wall.y_at(wall.end), image));
-  const SineCosine n = sine_cosine(line.theta);
+  const Point2 a = project_on_line(centre_frame(wall.x_at(wall.begin), wall.y_at(wall.begin), image),
+                                   line.rho, line.theta);
+  const Point2 b =
+      project_on_line(centre_frame(wall.x_at(wall.end), wall.y_at(wall.end), image), line.rho, line.theta);
   MapSegment segment;
-  const bool forward = (b.x - a.x) * -n.sine + (b.y - a.y) * n.cosine > 0;
-  const Point& first = forward ? a : b;
-  const Point& last = forward ? b : a;
-  segment.x0 = first.x;
-  segment.y0 = first.y;
-  segment.x1 = last.x;
-  segment.y1 = last.y;
+  segment.x0 = a.x;
+  segment.y0 = a.y;
+  segment.x1 = b.x;
+  segment.y1 = b.y;
+  order_ends(segment, line.theta);
   segment.pixels = wall.pixels;
   return segment;
 }
@@ -77,11 +53,14 @@ MapLine map_line_of(const std::vector<WallLine>& lines, const std::vector<std::s
                     const LineFloor& floor) {
   const WallLine& first = lines[group.front()];
   MapLine out;
-  const Point centroid = centre_frame(first.fit.centroid_x, first.fit.centroid_y, image);
-  const bool turned = normal_form(first.nx, -first.ny, centroid, out);
+  const Point2 centroid = centre_frame(first.fit.centroid_x, first.fit.centroid_y, image);
+  const Point2 normal{first.nx, -first.ny};  // rows count downwards
+  const NormalForm form = normalise_line(dot(normal, centroid), arc_tangent(normal.y, normal.x));
+  out.rho = form.rho;
+  out.theta = form.theta;
   LineFit fit = first.fit;
   add_floor(fit, extent_of(lines, group), floor);
-  const Point at = onto(out, centroid);
+  const Point2 at = project_on_line(centroid, out.rho, out.theta);
   out.covariance = LineCovariance{at.x, at.y, fit.var_theta, fit.var_offset};
   std::uint32_t votes = 0, count = 0;
   double width = 0, length = 0;
@@ -97,8 +76,7 @@ MapLine map_line_of(const std::vector<WallLine>& lines, const std::vector<std::s
     length += wall.length();
     out.segments.push_back(segment_of(out, wall, image));
   }
-  if (turned) std::swap(plus, minus);
-  out.free = free_side(plus, minus);
+  out.free = form.flipped ? free_side(minus, plus) : free_side(plus, minus);
   out.votes = votes;
   out.count = count;
   if (first.axis) out.width = width / length;

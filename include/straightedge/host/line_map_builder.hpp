@@ -20,13 +20,20 @@ enum class PictureKind : std::uint8_t {
   photo,      ///< every edge is a line
 };
 
+/// Coarse segments are all that is asked of the Hough transform here: refinement does the rest.
+inline constexpr HoughOptions line_map_hough{
+    .threshold = 14, .min_length = 10, .max_gap = 4, .gradient_window = 0.3};
+
 struct LineMapOptions {
   PictureKind picture = PictureKind::automatic;
-  CannyOptions canny;
-  HoughOptions hough;
-  double min_length = 15;             ///< pixels; shorter segments are dropped
-  double max_gap = 10;                ///< pixels; a hole in a wall up to this long is bridged
-  double max_wall_width = 3.6;        ///< pixels; thinner walls become one axis, thicker ones keep both faces
+  CannyOptions canny{.low = 40, .high = 110};
+  HoughOptions hough = line_map_hough;
+  double min_length = 14.5;  ///< pixels, 3..1e6; shorter segments are dropped
+  double max_gap = 10;       ///< pixels, 0..1e6; a hole in a wall up to this long is bridged
+  double max_wall_width =
+      3.6;  ///< pixels, 0..50; thinner walls become one axis, thicker ones keep both faces
+  double furniture_size =
+      26;  ///< pixels, 0..1e6; faces of things that stand alone and are no larger are dropped
   std::optional<RosMeaning> meaning;  ///< a ROS map's thresholds decide what is wall
 };
 
@@ -34,13 +41,17 @@ struct LineMapOptions {
 struct LineMapReport {
   PictureKind picture = PictureKind::photo;  ///< what it was taken for
   CannyResult canny;
-  HoughResult hough;
-  std::uint32_t candidates = 0;   ///< segments of the Hough transform
-  std::uint32_t refined = 0;      ///< that held as fitted lines with pixels of their own
-  std::uint32_t walls = 0;        ///< pairs of edges joined into the axis of a thin wall
-  std::uint32_t merged = 0;       ///< segments that became part of another one's line
-  std::uint32_t too_short = 0;    ///< dropped for their length
-  std::uint32_t unsupported = 0;  ///< dropped for lack of contrast in the picture
+  HoughResult hough;             ///< of the first round
+  std::uint32_t rounds = 0;      ///< of the Hough transform, each on the pixels that the one before left
+  std::uint32_t candidates = 0;  ///< segments of the Hough transform, all rounds
+  std::uint32_t edges = 0;       ///< of them held as straight edges with pixels of their own
+  std::uint32_t walls = 0;       ///< pairs of edges joined into the axis of a thin wall
+  std::uint32_t no_wall = 0;     ///< dropped: too pale, too little support, or wall on both sides
+  std::uint32_t merged = 0;      ///< became part of another segment
+  std::uint32_t furniture = 0;   ///< dropped: faces of small things that stand alone
+  std::uint32_t too_short = 0;   ///< dropped for their length
+  std::uint32_t segments = 0;    ///< in the map
+  std::uint32_t lines = 0;       ///< in the map
 };
 
 struct LineMapResult {

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "map/wall_line.hpp"
+#include "straightedge/host/image.hpp"
+#include "straightedge/host/line_map_builder.hpp"
+
+namespace straightedge {
+
+/// From edge pixels to straight edges: rounds of the Hough transform, each on the pixels that the one before
+/// left, with lower demands after the first. Every segment is refit between the pixels and takes its own.
+/// The report gets the counts. Statuses are those of HoughLines.
+Status find_edges(GrayView edges, const GradientField& field, const LineMapOptions& options,
+                  std::vector<WallLine>& lines, LineMapReport& report);
+
+}  // namespace straightedge

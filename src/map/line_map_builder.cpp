@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "straightedge/host/line_map_builder.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "map/candidates.hpp"
+#include "map/corners.hpp"
+#include "map/export.hpp"
+#include "map/extent.hpp"
+#include "map/furniture.hpp"
+#include "map/merge.hpp"
+#include "map/picture.hpp"
+#include "map/support.hpp"
+#include "map/walls.hpp"
+
+namespace straightedge {
+namespace {
+
+constexpr double corner_reach = 3.5;  // pixels
+
+bool valid(const LineMapOptions& o) {
+  return o.min_length >= 3 && o.min_length <= 1e6 && o.max_gap >= 0 && o.max_gap <= 1e6 &&
+         o.max_wall_width >= 0 && o.max_wall_width <= 50 && o.furniture_size >= 0 && o.furniture_size <= 1e6;
+}
+
+Failure failure_of(const char* stage, Status status) {
+  const bool option = status == Status::invalid_option || status == Status::too_large;
+  return {option ? Problem::bad_option : Problem::internal, std::string(stage) + ": " + to_string(status)};
+}
+
+/// Canny with the memory it works in.
+struct Edges {
+  std::unique_ptr<std::byte[]> workspace;
+  Canny canny;
+  Image<std::uint8_t> pixels;
+
+  GradientField field() const { return {canny.gradient_x(), canny.gradient_y(), canny.magnitude()}; }
+};
+
+Status detect_edges(GrayView picture, const CannyOptions& options, Edges& edges, CannyResult& result) {
+  result.status = Canny::check(picture.size(), options);
+  if (result.status != Status::ok) return result.status;
+  const std::size_t bytes = Canny::workspace_bytes(picture.size(), options);
+  edges.workspace = std::make_unique_for_overwrite<std::byte[]>(bytes);
+  const Status prepared =
+      Canny::prepare(edges.canny, picture.size(), options, {edges.workspace.get(), bytes});
+  if (prepared != Status::ok) return prepared;
+  edges.pixels = Image<std::uint8_t>(picture.size());
+  result = edges.canny.run(picture, edges.pixels.view());
+  return result.status;
+}
+
+/// Steps 4 to 6: what only a map can tell, for only there dark means wall.
+void read_walls(const Picture& picture, GrayView blurred, const LineMapOptions& options,
+                std::vector<WallLine>& lines, LineMapReport& report) {
+  report.walls = join_thin_walls(lines, picture.stretched, options.max_wall_width);
+  const std::size_t before = lines.size();
+  lines = measure_extents(lines, picture, blurred, {options.max_gap, options.max_wall_width});
+  lines = keep_supported(lines, picture, {.max_gap = options.max_gap});
+  report.no_wall = static_cast<std::uint32_t>(before > lines.size() ? before - lines.size() : 0);
+}
+
+/// Takes the short lines out; corners may still lie on them.
+std::vector<WallLine> split_off_short(std::vector<WallLine>& lines, double min_length) {
+  std::vector<WallLine> kept, helpers;
+  for (const WallLine& line : lines) (line.length() >= min_length ? kept : helpers).push_back(line);
+  lines = std::move(kept);
+  return helpers;
+}
+
+std::vector<std::vector<std::size_t>> long_enough(const std::vector<WallLine>& lines,
+                                                  const std::vector<std::vector<std::size_t>>& groups,
+                                                  double min_length) {
+  std::vector<std::vector<std::size_t>> out;
+  for (std::vector<std::size_t> group : groups) {
+    std::erase_if(group, [&](std::size_t i) { return lines[i].length() < min_length; });
+    if (!group.empty()) out.push_back(std::move(group));
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options) {
+  if (!gray.valid()) return failure_of("the picture", Status::invalid_image);
+  if (!valid(options)) return failure_of("the line map's options", Status::invalid_option);
+  LineMapResult out;
+  LineMapReport& report = out.report;
+  // Step 1: what the picture shows.
+  const Picture picture = understand_picture(gray, options.picture, options.meaning);
+  report.picture = picture.kind;
+  // Step 2: edges.
+  Edges edges;
+  Status status = detect_edges(picture.stretched, options.canny, edges, report.canny);
+  if (status != Status::ok) return failure_of("the edge detector", status);
+  // Step 3: straight edges, each with pixels of its own.
+  std::vector<WallLine> lines;
+  status = find_edges(edges.pixels, edges.field(), options, lines, report);
+  if (status != Status::ok) return failure_of("the Hough transform", status);
+  // Steps 4 to 6: thin walls become axes, ends are measured, what is no wall goes.
+  if (picture.kind == PictureKind::map) read_walls(picture, edges.canny.blurred(), options, lines, report);
+  // Step 7: one segment where several lie on one another; small things that stand alone go.
+  const MergeOptions merge;
+  report.merged = merge_fragments(lines, merge);
+  const std::vector<WallLine> helpers = split_off_short(lines, options.min_length - corner_reach);
+  if (picture.kind == PictureKind::map) {
+    report.furniture = drop_furniture(lines, picture.stretched, options.furniture_size);
+  }
+  // Step 8: segments of one infinite line share its fit.
+  const auto groups = group_collinear(lines, merge);
+  // Step 9: corners are closed; what is too short goes.
+  if (picture.kind == PictureKind::map) close_corners(lines, helpers, corner_reach);
+  const auto kept = long_enough(lines, groups, options.min_length);
+  // Step 10: the map's frame.
+  out.map.lines = to_map_lines(lines, kept, gray.size(), merge.floor);
+  out.map.image = MapImage{.file = {}, .size = gray.size(), .placement = {}, .meaning = options.meaning};
+  for (const MapLine& line : out.map.lines)
+    report.segments += static_cast<std::uint32_t>(line.segments.size());
+  report.lines = static_cast<std::uint32_t>(out.map.lines.size());
+  report.too_short = static_cast<std::uint32_t>(helpers.size() + lines.size() - report.segments);
+  return out;
+}
+
+}  // namespace straightedge
