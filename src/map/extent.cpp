@@ -125,8 +125,8 @@ double crossing(const Track& track, std::size_t inside, std::ptrdiff_t direction
 
 double darkest_across(GrayView gray, const WallLine& line, double s) {
   double darkest = 255;
-  const double from = line.axis ? -1 : -face_depth - 0.5;
-  const double to = line.axis ? 1 : -1;
+  const double from = line.axis ? -2.5 : -face_depth - 0.5;
+  const double to = line.axis ? 2.5 : -1;
   for (double u = from; u <= to; u += step) darkest = std::min(darkest, gray_beside(gray, line, s, u));
   return darkest;
 }

@@ -20,6 +20,7 @@ constexpr double ground_share = 0.02;
 constexpr int level_reach = 12;
 constexpr int even_reach = 20;
 constexpr std::int32_t block = 4;
+constexpr int block_contrast = 110;
 
 Histogram histogram_of(GrayView gray) {
   Histogram histogram{};
@@ -31,13 +32,20 @@ Histogram histogram_of(GrayView gray) {
 }
 
 /// Histogram of the means of 4x4 blocks, scaled to the number of pixels: noise averages out, even areas stay.
+/// Blocks with a wall's edge in them are left out.
 Histogram block_histogram(GrayView gray) {
   Histogram histogram{};
   const std::int32_t side_x = std::min(block, gray.width), side_y = std::min(block, gray.height);
   for (std::int32_t y = 0; y + side_y <= gray.height; y += side_y) {
     for (std::int32_t x = 0; x + side_x <= gray.width; x += side_x) {
-      int sum = 0;
-      for (std::int32_t k = 0; k < side_x * side_y; ++k) sum += gray.at(x + k % side_x, y + k / side_x);
+      int sum = 0, darkest = 255, lightest = 0;
+      for (std::int32_t k = 0; k < side_x * side_y; ++k) {
+        const int v = gray.at(x + k % side_x, y + k / side_x);
+        sum += v;
+        darkest = std::min(darkest, v);
+        lightest = std::max(lightest, v);
+      }
+      if (lightest - darkest > block_contrast) continue;
       histogram[static_cast<std::size_t>(sum / (side_x * side_y))] += side_x * side_y;
     }
   }
@@ -63,10 +71,10 @@ std::vector<int> ground_levels(const Histogram& histogram, int from, std::int64_
       top = there < here || (there == here && w >= v);
     }
     if (!top) continue;
-    // A plateau's top is its middle: a lone level makes a plateau seven levels wide.
-    int last = v;
-    while (last < 255 && mass_between(histogram, last - 2, last + 4) == here) ++last;
-    levels.push_back((v + last) / 2);
+    // The window's top says where about; the fullest level there is the one.
+    const auto from_here = histogram.begin() + std::max(v - level_reach / 2, 0);
+    const auto to_here = histogram.begin() + std::min(v + level_reach / 2, 255) + 1;
+    levels.push_back(static_cast<int>(std::max_element(from_here, to_here) - histogram.begin()));
   }
   return levels;
 }
@@ -144,7 +152,7 @@ Picture understand_picture(GrayView gray, PictureKind asked, const std::optional
     first_ground = std::clamp(static_cast<int>(picture.wall_below) + 1, 1, 255);
   }
   const Histogram blocks = block_histogram(picture.gray);
-  const std::vector<int> grounds = ground_levels(histogram, first_ground, pixels);
+  const std::vector<int> grounds = ground_levels(blocks, first_ground, pixels);
   const bool map = asked == PictureKind::map || meaning.has_value() ||
                    (asked == PictureKind::automatic && looks_like_map(histogram, blocks, grounds, pixels));
   picture.kind = map ? PictureKind::map : PictureKind::photo;

@@ -3,8 +3,10 @@
 #include "map/support.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "map/sample.hpp"
 
@@ -14,47 +16,118 @@ namespace {
 constexpr double step = 0.5;
 constexpr double nearby = 2.0;
 constexpr double end_tolerance = 4;
-// ROS's usual threshold, where the map has none of its own.
-constexpr double usual_wall_below = 89.25;
+// A wall pixel has this share of the darkness that walls of the picture usually have, and need not have more
+// than `usual_dark` of full black.
+constexpr double dark_share = 0.7;
+constexpr double usual_dark = 0.57;
+// Two neighbours, neither of them dark, are a wall between two pixels when they have this much together.
+constexpr double pair_dark = 0.7;
+// In a noisy picture thin walls fall to pieces that are no crumbs.
+constexpr double noisy_dark_share = 0.45;
+constexpr double noisy_min_piece = 4;
+
+constexpr int lone_contrast = 80;
+constexpr double speckled_evenness = 0.4;
 
 struct Run {
   double begin = 0, end = 0;
   double length() const { return end - begin; }
 };
 
-double darkest_across(GrayView gray, const WallLine& line, double s) {
-  double darkest = 255;
-  for (double u = line.axis ? -1 : -2.5; u <= (line.axis ? 1 : -1); u += step) {
-    darkest = std::min(darkest, sample(gray, line.x_at(s) + u * line.nx, line.y_at(s) + u * line.ny));
+/// Whether gray, where it is neither black nor white, changes from pixel to pixel nearly everywhere.
+bool is_noisy(GrayView gray) {
+  std::int64_t pairs = 0, same = 0;
+  for (std::int32_t y = 0; y < gray.height; ++y) {
+    const std::uint8_t* row = gray.row(y);
+    for (std::int32_t x = 1; x < gray.width; ++x) {
+      if (row[x] == 0 || row[x] == 255) continue;
+      ++pairs;
+      same += row[x] == row[x - 1] ? 1 : 0;
+    }
   }
-  return darkest;
+  return same * 3 < pairs && pairs * 10 > std::int64_t{gray.width} * gray.height;
+}
+
+/// Whether lone dark pixels lie all over the picture, as a scanner's or a radio's specks do; clutter in a
+/// building lies in heaps.
+bool is_speckled(GrayView gray) {
+  constexpr std::int32_t cells = 8;
+  std::array<int, cells * cells> specks{};
+  for (std::int32_t y = 1; y + 1 < gray.height; ++y) {
+    for (std::int32_t x = 1; x + 1 < gray.width; ++x) {
+      const int here = gray.at(x, y) + lone_contrast;
+      bool lone = true;
+      for (std::int32_t k = 0; k < 9 && lone; ++k)
+        lone = k == 4 || gray.at(x + k % 3 - 1, y + k / 3 - 1) > here;
+      if (!lone) continue;
+      const std::int32_t cell = y * cells / gray.height * cells + x * cells / gray.width;
+      ++specks[static_cast<std::size_t>(cell)];
+    }
+  }
+  std::sort(specks.begin(), specks.end());
+  const int tenth = specks[specks.size() / 10], median = specks[specks.size() / 2];
+  return median >= 2 && tenth >= speckled_evenness * median;
+}
+
+/// How dark each pixel is, 0 to 255.
+Image<std::uint8_t> darkness_of(GrayView stretched) {
+  Image<std::uint8_t> out(stretched.size());
+  const ImageView<std::uint8_t> dark = out.view();
+  for (std::int32_t y = 0; y < dark.height; ++y) {
+    const std::uint8_t* row = stretched.row(y);
+    for (std::int32_t x = 0; x < dark.width; ++x) dark.at(x, y) = static_cast<std::uint8_t>(255 - row[x]);
+  }
+  return out;
+}
+
+/// A thin wall that runs between two pixels darkens both by half: makes them as dark as `from`.
+void join_pairs(ImageView<std::uint8_t> darkness, int from) {
+  const int enough = static_cast<int>(255 * pair_dark);
+  for (std::int32_t y = 0; y < darkness.height; ++y) {
+    for (std::int32_t x = 0; x < darkness.width; ++x) {
+      const int here = darkness.at(x, y);
+      if (here >= from || 4 * here < enough) continue;
+      for (const auto& [nx, ny] : {std::pair{x + 1, y}, std::pair{x, y + 1}}) {
+        if (!darkness.contains(nx, ny)) continue;
+        const int next = darkness.at(nx, ny);
+        if (next < from && here + next >= enough) darkness.at(x, y) = static_cast<std::uint8_t>(from);
+      }
+    }
+  }
 }
 
 /// Step 1.
-double dark_below(const std::vector<WallLine>& lines, const Picture& picture) {
-  const double given = picture.wall_below <= 255 ? picture.wall_below : usual_wall_below;
+int dark_from(const std::vector<WallLine>& lines, const Picture& picture, GrayView darkness, double share) {
   std::vector<double> cores;
   for (const WallLine& line : lines) {
-    for (double s = line.begin + 1; s < line.end; s += 2)
-      cores.push_back(darkest_across(picture.gray, line, s));
+    for (double s = line.begin + 1; s < line.end; s += 2) {
+      double darkest = 0;
+      for (double u = line.axis ? -1 : -2.5; u <= (line.axis ? 1 : -1); u += step) {
+        const auto x = static_cast<std::int32_t>(line.x_at(s) + u * line.nx + 0.5);
+        const auto y = static_cast<std::int32_t>(line.y_at(s) + u * line.ny + 0.5);
+        if (darkness.contains(x, y)) darkest = std::max<double>(darkest, darkness.at(x, y));
+      }
+      cores.push_back(darkest);
+    }
   }
-  if (cores.empty()) return given;
+  if (cores.empty()) return 1;
   const auto middle = cores.begin() + static_cast<std::ptrdiff_t>(cores.size() / 2);
   std::nth_element(cores.begin(), middle, cores.end());
-  return std::max(given, *middle + 0.3 * (picture.ground - *middle));
+  const double dark = picture.wall_below <= 255 ? 1 - picture.wall_below / picture.ground : usual_dark;
+  return static_cast<int>(std::min(255 * dark, share * *middle)) + 1;
 }
 
 /// Step 2: 255 on dark areas that are no crumbs.
-Image<std::uint8_t> solid_areas(GrayView gray, double below, double min_piece) {
-  Image<std::uint8_t> solid(gray.size());
+Image<std::uint8_t> solid_areas(GrayView darkness, int from, double min_piece) {
+  Image<std::uint8_t> solid(darkness.size());
   const ImageView<std::uint8_t> mark = solid.view();
   struct Pixel {
     std::int32_t x, y;
   };
   std::vector<Pixel> area;
-  for (std::int32_t y = 0; y < gray.height; ++y) {
-    for (std::int32_t x = 0; x < gray.width; ++x) {
-      if (mark.at(x, y) != 0 || gray.at(x, y) >= below) continue;
+  for (std::int32_t y = 0; y < darkness.height; ++y) {
+    for (std::int32_t x = 0; x < darkness.width; ++x) {
+      if (mark.at(x, y) != 0 || darkness.at(x, y) < from) continue;
       area.assign(1, {x, y});
       mark.at(x, y) = 255;
       std::int32_t left = x, right = x, top = y, bottom = y;
@@ -66,7 +139,7 @@ Image<std::uint8_t> solid_areas(GrayView gray, double below, double min_piece) {
         bottom = std::max(bottom, at.y);
         for (std::int32_t k = 0; k < 9; ++k) {
           const Pixel to{at.x + k % 3 - 1, at.y + k / 3 - 1};
-          if (!gray.contains(to.x, to.y) || mark.at(to.x, to.y) != 0 || gray.at(to.x, to.y) >= below)
+          if (!darkness.contains(to.x, to.y) || mark.at(to.x, to.y) != 0 || darkness.at(to.x, to.y) < from)
             continue;
           mark.at(to.x, to.y) = 255;
           area.push_back(to);
@@ -108,7 +181,11 @@ std::vector<Run> runs_of(GrayView solid, const WallLine& line) {
 std::vector<WallLine> keep_supported(const std::vector<WallLine>& lines, const Picture& picture,
                                      const SupportOptions& options) {
   std::vector<WallLine> out;
-  const Image<std::uint8_t> solid = solid_areas(picture.gray, dark_below(lines, picture), options.min_piece);
+  const bool noisy = is_noisy(picture.gray) || is_speckled(picture.gray);
+  Image<std::uint8_t> darkness = darkness_of(picture.stretched);
+  const int from = dark_from(lines, picture, darkness, noisy ? noisy_dark_share : dark_share);
+  join_pairs(darkness.view(), from);
+  const Image<std::uint8_t> solid = solid_areas(darkness, from, noisy ? noisy_min_piece : options.min_piece);
   for (const WallLine& line : lines) {
     const std::vector<Run> runs = runs_of(solid, line);
     for (std::size_t i = 0; i < runs.size();) {

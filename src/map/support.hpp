@@ -12,7 +12,7 @@ namespace straightedge {
 struct SupportOptions {
   double min_piece = 10;   ///< pixels; smaller dark pieces are crumbs and support nothing
   double max_gap = 10;     ///< pixels between two supported stretches of one segment
-  double min_share = 0.6;  ///< of a segment's length that is supported
+  double min_share = 0.7;  ///< of a segment's length that is supported
 };
 
 /// Keeps of each segment what the picture really shows as wall.

@@ -28,7 +28,7 @@ struct LineMapOptions {
   PictureKind picture = PictureKind::automatic;
   CannyOptions canny{.low = 40, .high = 110};
   HoughOptions hough = line_map_hough;
-  double min_length = 14.5;  ///< pixels, 3..1e6; shorter segments are dropped
+  double min_length = 9;  ///< pixels, 3..1e6; shorter segments are dropped
   double max_gap = 10;       ///< pixels, 0..1e6; a hole in a wall up to this long is bridged
   double max_wall_width =
       3.6;  ///< pixels, 0..50; thinner walls become one axis, thicker ones keep both faces
