@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
       const bench::Job job{picture, size};
       bench::add_canny_rows(job);
       bench::add_hough_rows(job);
+      bench::add_line_map_rows(job);
     }
   }
   benchmark::Initialize(&argc, argv);

@@ -48,5 +48,6 @@ void add_row(const std::string& stage, const Job& job, Prepare prepare) {
 
 void add_canny_rows(const Job& job);
 void add_hough_rows(const Job& job);
+void add_line_map_rows(const Job& job);
 
 }  // namespace bench
