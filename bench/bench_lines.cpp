@@ -11,6 +11,8 @@ int main(int argc, char** argv) {
     for (const straightedge::Size size : sizes) {
       const bench::Job job{picture, size};
       bench::add_canny_rows(job);
+      bench::add_hough_rows(job);
+      bench::add_line_map_rows(job);
     }
   }
   benchmark::Initialize(&argc, argv);

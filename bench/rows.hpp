@@ -4,6 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -18,6 +19,13 @@ namespace bench {
 inline void require(straightedge::Status status, const char* what) {
   if (status == straightedge::Status::ok || status == straightedge::Status::output_full) return;
   std::fprintf(stderr, "%s: %s\n", what, straightedge::to_string(status));
+  std::exit(70);
+}
+
+/// Ends the program likewise: every picture here has lines.
+inline void require_some(std::size_t count, const char* what) {
+  if (count > 0) return;
+  std::fprintf(stderr, "no %s found\n", what);
   std::exit(70);
 }
 
@@ -39,5 +47,7 @@ void add_row(const std::string& stage, const Job& job, Prepare prepare) {
 }
 
 void add_canny_rows(const Job& job);
+void add_hough_rows(const Job& job);
+void add_line_map_rows(const Job& job);
 
 }  // namespace bench

@@ -2,8 +2,4 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#if __has_include(<catch2/catch.hpp>)
-#include <catch2/catch.hpp>
-#else
-#include <catch2/catch_all.hpp>
-#endif
+#include "support/catch.hpp"
