@@ -3,16 +3,24 @@
 #include "io/stb_decode.hpp"
 
 #include <climits>
+#include <cstdlib>
 #include <memory>
 
 #include "io/gray_weights.hpp"
 #include "io/image_size.hpp"
+#include "io/stb_guard.hpp"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_NO_STDIO
+// Corrupt files make stb read memory that it never wrote: zeros give the same picture every time.
+#define STBI_MALLOC(size) std::calloc(1, size)
+#define STBI_REALLOC(old, size) std::realloc(old, size)
+#define STBI_FREE(old) std::free(old)
+// Corrupt files must not end the program in debug builds either.
+#define STBI_ASSERT(condition) static_cast<void>(0)
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP
@@ -23,8 +31,7 @@
 namespace straightedge::io {
 namespace {
 
-Failure unreadable(const std::string& name) {
-  const char* reason = stbi_failure_reason();
+Failure unreadable(const std::string& name, const char* reason) {
   return {Problem::bad_content, name + ": is not an image that can be read (" +
                                     (reason != nullptr ? reason : "unknown reason") + ")"};
 }
@@ -48,14 +55,17 @@ Result<Image<std::uint8_t>> decode_by_stb(std::string_view bytes, const std::str
   int width = 0;
   int height = 0;
   int channels = 0;
-  if (stbi_info_from_memory(data, length, &width, &height, &channels) == 0) return unreadable(name);
+  if (!jpeg_tables_fit(bytes)) return unreadable(name, "a Huffman table has too many codes");
+  if (stbi_info_from_memory(data, length, &width, &height, &channels) == 0)
+    return unreadable(name, stbi_failure_reason());
   const auto size = checked_size(width, height, name);
   if (!size) return size.failure();
+  if (!is_whole(bytes, *size)) return unreadable(name, "it is truncated");
 
   // The 8-bit entry keeps the upper byte of 16-bit values; zero wanted channels leaves colour to us.
   const std::unique_ptr<stbi_uc, void (*)(void*)> values(
       stbi_load_from_memory(data, length, &width, &height, &channels, 0), stbi_image_free);
-  if (values == nullptr) return unreadable(name);
+  if (values == nullptr) return unreadable(name, stbi_failure_reason());
   if (Size{width, height} != *size)
     return Failure{Problem::bad_content, name + ": contradicts its own header"};
   Image<std::uint8_t> gray(*size);
