@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <memory>
 
-#include "io/gray_weights.hpp"
 #include "io/image_size.hpp"
 #include "io/stb_guard.hpp"
+#include "straightedge/gray.hpp"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -37,13 +37,17 @@ Failure unreadable(const std::string& name, const char* reason) {
 }
 
 /// One or two channels are gray (and alpha), three or four are colour (and alpha).
-void to_gray(const std::uint8_t* values, int channels, ImageView<std::uint8_t> gray) {
-  for (std::int32_t y = 0; y < gray.height; ++y) {
-    std::uint8_t* row = gray.row(y);
-    for (std::int32_t x = 0; x < gray.width; ++x, values += channels) {
-      row[x] = channels < 3 ? values[0] : gray_of(values[0], values[1], values[2]);
+Status to_gray(const std::uint8_t* values, int channels, ImageView<std::uint8_t> gray) {
+  const Size size = gray.size();
+  if (channels == 2) {
+    for (std::int32_t y = 0; y < size.height; ++y) {
+      for (std::int32_t x = 0; x < size.width; ++x, values += 2) gray.at(x, y) = *values;
     }
+    return Status::ok;
   }
+  const PixelFormat formats[] = {PixelFormat::gray, PixelFormat::gray, PixelFormat::rgb, PixelFormat::rgba};
+  return gray_from_color(
+      {values, size.width, size.height, std::ptrdiff_t{size.width} * channels, formats[channels - 1]}, gray);
 }
 
 }  // namespace
@@ -69,7 +73,9 @@ Result<Image<std::uint8_t>> decode_by_stb(std::string_view bytes, const std::str
   if (Size{width, height} != *size)
     return Failure{Problem::bad_content, name + ": contradicts its own header"};
   Image<std::uint8_t> gray(*size);
-  to_gray(values.get(), channels, gray.view());
+  if (const Status status = to_gray(values.get(), channels, gray.view()); status != Status::ok) {
+    return Failure{Problem::internal, name + ": " + to_string(status)};
+  }
   return gray;
 }
 
