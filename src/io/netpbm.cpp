@@ -4,9 +4,10 @@
 
 #include <charconv>
 #include <optional>
+#include <vector>
 
-#include "io/gray_weights.hpp"
 #include "io/image_size.hpp"
+#include "straightedge/gray.hpp"
 
 namespace straightedge::io {
 namespace {
@@ -133,18 +134,15 @@ Result<Image<std::uint8_t>> decode_netpbm(std::string_view bytes, const std::str
   if (!Values::can_hold(bytes.size() - header->length, *header)) return bad(name, "is truncated");
 
   Image<std::uint8_t> gray(header->size);
+  const std::int32_t width = gray.width();
+  const PixelFormat format = header->coloured ? PixelFormat::rgb : PixelFormat::gray;
+  std::vector<std::uint8_t> row(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels(format)));
   Values values(bytes, *header);
   for (std::int32_t y = 0; y < gray.height() && values.failed() == nullptr; ++y) {
-    for (std::uint8_t *pixel = gray.view().row(y), *end = pixel + gray.width(); pixel != end; ++pixel) {
-      if (!header->coloured) {
-        *pixel = static_cast<std::uint8_t>(values.next());
-        continue;
-      }
-      const std::uint32_t red = values.next();
-      const std::uint32_t green = values.next();
-      const std::uint32_t blue = values.next();
-      *pixel = gray_of(red, green, blue);
-    }
+    for (std::uint8_t& value : row) value = static_cast<std::uint8_t>(values.next());
+    const ColorView colours{row.data(), width, 1, static_cast<std::ptrdiff_t>(row.size()), format};
+    const Status status = gray_from_color(colours, {gray.view().row(y), {width, 1}});
+    if (status != Status::ok) return Failure{Problem::internal, name + ": " + to_string(status)};
   }
   if (values.failed() != nullptr) return bad(name, values.failed());
   return gray;

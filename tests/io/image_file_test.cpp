@@ -116,6 +116,40 @@ TEST_CASE("truncated files are refused, wherever they end") {
   }
 }
 
+TEST_CASE("BMP and TGA are read, and refused when they are truncated") {
+  const std::string rows = std::string("\x0A\xC8\x64") + "\x64\xC8\x0A" + zero + zero;  // blue, green, red
+  std::string bmp = "BM" + std::string(52, '\0') + rows;
+  bmp[10] = 54;
+  bmp[14] = 40;
+  bmp[18] = 2;
+  bmp[22] = 1;
+  bmp[26] = 1;
+  bmp[28] = 24;
+  CHECK(decoded(bmp).size() == Size{2, 1});
+  CHECK(decoded(bmp).at(0, 0) == luma(0x64, 0xC8, 0x0A));
+  refused(bmp.substr(0, bmp.size() - 3), "it is truncated");
+
+  std::string tga(18, '\0');
+  tga[2] = 3;
+  tga[12] = 3;
+  tga[14] = 1;
+  tga[16] = 8;
+  tga += "\x05\x06\x07";
+  CHECK(decoded(tga).at(2, 0) == 7);
+  refused(tga.substr(0, tga.size() - 1), "it is truncated");
+  tga[13] = 0x10;  // 4099 pixels wide
+  refused(tga, "it is truncated");
+}
+
+TEST_CASE("a JPEG whose Huffman table overflows stb's is refused before stb sees it") {
+  std::string jpeg = bytes_of(images + "blox.jpg");
+  const std::size_t table = jpeg.find("\xFF\xC4");
+  REQUIRE(table != std::string::npos);
+  jpeg[table + 5 + 15] = '\xFF';
+  jpeg[table + 5 + 14] = '\xFF';
+  refused(jpeg, "a Huffman table has too many codes");
+}
+
 TEST_CASE("a size above the limit is refused by the header alone") {
   refused(png_maker::png(20000, 20000, 8, png_maker::gray, zero),
           "is too large: 20000x20000 pixels, and at most 2^28 are read");

@@ -35,14 +35,9 @@ class RandomLineMaps {
 
  private:
   std::string word() {
-    static const char* const words[] = {"",
-                                        "floor 4",
-                                        "a<b & \"c\"",
-                                        "Stra\xC3\x9F"
-                                        "e",
-                                        "it's",
-                                        "  two  blanks ",
-                                        "]]>"};
+    static const std::string sharp_s = std::string("Stra\xC3\x9F") + "e";
+    static const std::string words[] = {"",     "floor 4",        "a<b & \"c\"", sharp_s,
+                                        "it's", "  two  blanks ", "]]>"};
     return words[whole(0, 6)];
   }
 
