@@ -34,8 +34,8 @@
 ///
 /// Deliberate differences from OpenCV
 ///   - low > high is `invalid_option`; OpenCV swaps them. NaN is `invalid_option`; there it is undefined.
-///   - Thresholds beyond 32 bits (infinity too) are above every edge; there they wrap round and let
-///     everything pass. Negative ones act like 0, in both.
+///   - Thresholds beyond 32 bits (infinity too) are above every edge; there, with L1, they wrap round and
+///     let everything pass. Negative ones act like 0, in both.
 ///   - One channel. OpenCV takes the channel with the largest gradient; here colour becomes gray first
 ///     (gray.hpp).
 ///   - No aperture −1 (Scharr).

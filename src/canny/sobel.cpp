@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "base/bordered_row.hpp"
 
@@ -62,14 +63,19 @@ std::int16_t to_16_bits(std::int32_t value) noexcept {
   return static_cast<std::int16_t>(std::clamp<std::int32_t>(value, INT16_MIN, INT16_MAX));
 }
 
-// Step 2.
+// Step 2, one pixel. Written out by the compiler for each side, so that pixels can be computed side by side.
+template <int Side, std::size_t... K>
+std::int32_t weighted_sum(const std::int16_t* sums, const int (&taps)[Side],
+                          std::index_sequence<K...>) noexcept {
+  return ((taps[K] * sums[K]) + ...);
+}
+
+// Steps 2 and 3.
 template <int Side, GradientScale Scale>
 void filter_row(const std::int16_t* sums, const int (&taps)[Side], std::int16_t* out,
                 std::int32_t width) noexcept {
   for (std::int32_t x = 0; x < width; ++x) {
-    std::int32_t sum = 0;
-    for (int k = 0; k < Side; ++k) sum += taps[k] * sums[x + k];
-    out[x] = to_16_bits<Scale>(sum);
+    out[x] = to_16_bits<Scale>(weighted_sum(sums + x, taps, std::make_index_sequence<Side>()));
   }
 }
 

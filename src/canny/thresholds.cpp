@@ -24,6 +24,18 @@ std::int32_t to_magnitude(double threshold, GradientNorm norm, int aperture) noe
       floor_to_integer(std::clamp(threshold, double{INT32_MIN}, double{INT32_MAX})));
 }
 
+// How many whole bytes the largest number has; 1 when all are 0.
+std::uint32_t significant_bytes(ImageView<const std::int32_t> magnitude) noexcept {
+  std::uint32_t bits = 0;
+  for (std::int32_t y = 0; y < magnitude.height; ++y) {
+    const std::int32_t* const row = magnitude.row(y);
+    for (std::int32_t x = 0; x < magnitude.width; ++x) bits |= static_cast<std::uint32_t>(row[x]);
+  }
+  std::uint32_t bytes = 1;
+  while (bytes < 4 && (bits >> (8 * bytes)) != 0) ++bytes;
+  return bytes;
+}
+
 // The middle value: half of the pixels or more are not above it, and it is the least such. Magnitudes are
 // never negative, so bytes from the top sort like numbers: the byte is found in which the middle lies,
 // then only pixels that begin with the bytes found so far are counted.
@@ -31,16 +43,16 @@ std::int32_t median_of(ImageView<const std::int32_t> magnitude) noexcept {
   const auto pixels =
       static_cast<std::uint64_t>(magnitude.width) * static_cast<std::uint64_t>(magnitude.height);
   auto rank = static_cast<std::uint32_t>((pixels - 1) / 2);
-  std::uint32_t found = 0;
-  for (std::uint32_t shift = 32; shift > 0;) {
-    const std::uint64_t known = shift;
+  std::uint64_t found = 0;
+  for (std::uint32_t shift = 8 * significant_bytes(magnitude); shift > 0;) {
+    const std::uint32_t known = shift;
     shift -= 8;
     std::uint32_t histogram[256] = {};
     for (std::int32_t y = 0; y < magnitude.height; ++y) {
       const std::int32_t* const row = magnitude.row(y);
       for (std::int32_t x = 0; x < magnitude.width; ++x) {
-        const auto m = static_cast<std::uint32_t>(row[x]);
-        if ((std::uint64_t{m} >> known) == found) ++histogram[(m >> shift) & 255U];
+        const std::uint64_t m = static_cast<std::uint32_t>(row[x]);
+        if ((m >> known) == found) ++histogram[(m >> shift) & 255U];
       }
     }
     std::uint32_t byte = 0;
@@ -83,7 +95,7 @@ AutomaticThresholds automatic_thresholds(ImageView<const std::int32_t> magnitude
   // Step 1.
   const std::int32_t median = median_of(magnitude);
 
-  // Step 2, in hundredths: 4.5 of the root is the root of 20.25 squares.
+  // Step 2. 4.5 times a root is the root of 20.25 times its square.
   const std::int64_t scale = aperture == 7 ? 16 : 1;
   const std::int64_t medians =
       norm == GradientNorm::l1 ? std::int64_t{median} * 9 / 2 : integer_root(std::int64_t{median} * 81 / 4);

@@ -87,6 +87,19 @@ TEST_CASE("thresholds must be numbers in order") {
   CHECK(prepare_with({.thresholds = CannyThresholds::automatic, .low = nan_value}) == Status::ok);
 }
 
+TEST_CASE("huge thresholds are above every edge, negative ones act like 0") {
+  Pcg32 random(13);
+  const GrayImage gray = support::random_bytes({40, 30}, random);
+  for (const GradientNorm norm : {GradientNorm::l1, GradientNorm::l2}) {
+    for (const double high : {1e6, 1e300, infinity}) {
+      CHECK(edges_of(gray, {.sigma = 0, .norm = norm, .low = 0, .high = high}) == GrayImage(gray.size()));
+    }
+    const GrayImage zero = edges_of(gray, {.sigma = 0, .norm = norm, .low = 0, .high = 0});
+    CHECK_FALSE(zero == GrayImage(gray.size()));
+    CHECK(edges_of(gray, {.sigma = 0, .norm = norm, .low = -infinity, .high = -1}) == zero);
+  }
+}
+
 TEST_CASE("sizes without pixels or with too many are refused") {
   for (const Size size : {Size{0, 10}, Size{10, 0}, Size{-3, 10}, Size{0, 0}}) {
     CHECK(prepare_with({}, size) == Status::invalid_image);
