@@ -34,7 +34,7 @@ HoughOptions options_for(HoughMethod method) {
 }  // namespace
 
 TEST_CASE("the votes are those of a count cell by cell") {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const EdgeImage image = test::noise({37, 53}, 0.1, seed);
     HoughOptions options;
     options.method = HoughMethod::standard;
