@@ -44,7 +44,7 @@ struct HoughOptions {
   double pair_min_distance = 10;    ///< pixels to the second, at least, >= 1, below pair_radius
   std::int32_t pair_threshold = 3;  ///< votes of pairs that make a line, >= 1
   double confidence = 0.99;         ///< (0, 1), that a line of min_length is not left behind
-  std::uint64_t max_draws = 0;      ///< pairs; drawing ends here at the latest; 0 = 16 for each edge
+  std::uint64_t max_draws = 0;      ///< pairs; drawing ends here at the latest; 0 = 8 for each edge
                                     ///< pixel, but at least a million
 };
 

@@ -122,7 +122,7 @@ bool take_line(HoughJob& job, ExactLine line, std::int32_t votes, std::uint32_t&
 
 std::uint64_t most_draws(const HoughJob& job) noexcept {
   if (job.options.max_draws > 0) return job.options.max_draws;
-  const std::uint64_t by_pixels = std::uint64_t{16} * job.result.edge_pixels;
+  const std::uint64_t by_pixels = std::uint64_t{8} * job.result.edge_pixels;
   return by_pixels > 1'000'000 ? by_pixels : 1'000'000;
 }
 
