@@ -149,3 +149,36 @@ TEST_CASE("the stages of the standard method can be called alone") {
   CHECK(job.result.peaks >= 2);
   CHECK(peaks[0].votes == 101);
 }
+
+TEST_CASE("pairs at theta 0 and at theta pi vote in one cell") {
+  EdgeImage image({101, 81});
+  test::draw(image, 20, 5, 20, 75);  // 30 left of the centre
+  HoughOptions options;
+  options.method = HoughMethod::randomized;
+  options.pair_threshold = 1'000'000;
+  options.max_draws = 1000;
+  Run run(image.size(), options);
+  Counts counts;
+  static_cast<void>(run(image, counts));
+  const auto cells = run.lines.accumulator();
+  CHECK(counts.votes > 100);
+  CHECK(static_cast<std::uint64_t>(cells.at((cells.width - 1) / 2 - 30, 0)) == counts.votes);
+}
+
+TEST_CASE("pairs whose gradients do not fit their line do not vote") {
+  EdgeImage image({101, 81});
+  test::draw(image, 20, 5, 20, 75);
+  HoughOptions options;
+  options.method = HoughMethod::randomized;
+  options.gradient_window = 0.3;
+  options.max_draws = 1000;
+  Run run(image.size(), options);
+  for (const double direction : {0.0, 1.0}) {
+    const test::ConstantGradient gradient(image.size(), direction);
+    Counts counts;
+    const HoughResult result =
+        run.lines.run(image, gradient.view(), run.peaks, run.segments, {Counts::count, &counts});
+    CHECK(result.status == Status::ok);
+    CHECK((counts.votes > 0) == (direction == 0.0));
+  }
+}
