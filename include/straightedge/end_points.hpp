@@ -31,7 +31,7 @@ struct EndPointResult {
 ///      steep. A step is carried if an edge pixel lies within half_width of the line (and, with a
 ///      gradient window, has its direction within that of the line's normal).
 ///   2. Steps that are carried belong to one piece as long as no hole between them, measured along the
-///      line, is longer than max_gap.
+///      line, is longer than max_gap (by more than a thousandth of a pixel).
 ///   3. A piece ends at the edge pixels nearest to the line in its first and last carried step. It is a
 ///      result if they are at least min_length apart and min_support of its steps are carried (chance
 ///      pixels, bridged one by one, carry few).

@@ -50,7 +50,7 @@ constexpr bool valid_options(const HoughOptions& o) noexcept {
   const bool angles = within(o.min_theta, 0, pi) && within(o.max_theta, 0, pi) && o.min_theta < o.max_theta;
   const bool pairs = within(o.pair_radius, 0, 1e5) && within(o.pair_min_distance, 1, 1e5) &&
                      (o.pair_radius == 0 || o.pair_min_distance < o.pair_radius) && o.pair_threshold >= 1 &&
-                     o.confidence > 0 && o.confidence < 1 && o.max_draws >= 1;
+                     o.confidence > 0 && o.confidence < 1;
   const bool names = o.method <= HoughMethod::randomized && o.generator <= HoughGenerator::opencv;
   return common && angles && pairs && names;
 }

@@ -33,8 +33,9 @@ namespace straightedge {
 /// end points of those lines alone that `peaks` holds. More than fits gives `output_full`: the
 /// first segments, and of the standard peaks those with the most votes.
 ///
-/// Memory: 4 bytes a cell of the accumulator (hough_grid.hpp), and a pixel of the image 1 byte (standard)
-/// or 5 bytes (progressive, randomized, and the latter's buckets: 4 bytes for each 64 pixels at most).
+/// Memory: 4 bytes a cell of the accumulator (hough_grid.hpp), and a pixel of the image 1 byte (standard; and
+/// 128 bytes a column) or 5 bytes (progressive, randomized, and the latter's buckets: 4 bytes for each 64
+/// pixels at most).
 ///
 /// Bad input: invalid_image (null views, no gradients where a window is asked for), size_mismatch,
 /// invalid_option, too_large, workspace_too_small, not_prepared. A blank image gives an empty result.

@@ -28,13 +28,16 @@ constexpr std::int32_t hough_bucket_side(Size size, const HoughOptions& options)
   return side < 8 ? 8 : side;
 }
 
+/// Rows of the image whose votes the standard method casts together.
+inline constexpr std::int32_t hough_band_rows = 32;
+
 /// The workspace of the three methods; what a method does not use stays empty.
 struct HoughMemory {
   std::span<std::int32_t> cells;     ///< the accumulator with its guard cells
   std::span<float> cosines;          ///< of each angle, divided by rho_step
   std::span<float> sines;            ///< likewise
   std::span<std::uint8_t> mask;      ///< a pixel's state, rows without gaps
-  std::span<PixelPlace> points;      ///< standard: of one row; else all edge pixels
+  std::span<PixelPlace> points;      ///< standard: of one band of rows; else all edge pixels
   std::span<std::uint32_t> buckets;  ///< randomized: where each square's pixels begin in `points`
 
   static constexpr HoughMemory take(Arena& arena, Size size, const HoughOptions& options,
@@ -54,7 +57,7 @@ struct HoughMemory {
       memory.sines = arena.take<float>(angles);
     }
     memory.mask = arena.take<std::uint8_t>(width * height);
-    memory.points = arena.take<PixelPlace>(standard ? width : width * height);
+    memory.points = arena.take<PixelPlace>(standard ? width * std::size_t{hough_band_rows} : width * height);
     if (randomized) {
       const auto side = static_cast<std::size_t>(hough_bucket_side(size, options));
       memory.buckets =

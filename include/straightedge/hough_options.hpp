@@ -40,11 +40,12 @@ struct HoughOptions {
   double max_theta = 3.141592653589793;
 
   // Randomized only.
-  double pair_radius = 30;              ///< pixels to the second of a pair, at most; 0 = anywhere
-  double pair_min_distance = 10;        ///< pixels to the second, at least, >= 1, below pair_radius
-  std::int32_t pair_threshold = 3;      ///< votes of pairs that make a line, >= 1
-  double confidence = 0.99;             ///< (0, 1), that a line of min_length is not left behind
-  std::uint64_t max_draws = 4'000'000;  ///< pairs, >= 1; drawing ends here at the latest
+  double pair_radius = 30;          ///< pixels to the second of a pair, at most; 0 = anywhere
+  double pair_min_distance = 10;    ///< pixels to the second, at least, >= 1, below pair_radius
+  std::int32_t pair_threshold = 3;  ///< votes of pairs that make a line, >= 1
+  double confidence = 0.99;         ///< (0, 1), that a line of min_length is not left behind
+  std::uint64_t max_draws = 0;      ///< pairs; drawing ends here at the latest; 0 = 8 for each edge
+                                    ///< pixel, but at least a million
 };
 
 /// A line x cos theta + y sin theta = rho in OpenCV's frame: origin at the centre of the first pixel,

@@ -18,7 +18,7 @@ std::int32_t extend(GrayView edges, const StripWalk& walk, const DirectionTest& 
     if (support.pixels == 0) {
       ++missing;
       before_first += carried ? 0 : 1;
-      if (missing * walk.step_length() > max_gap) break;
+      if (too_long_a_gap(walk, missing, max_gap)) break;
       continue;
     }
     missing = 0;

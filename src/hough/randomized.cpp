@@ -120,6 +120,12 @@ bool take_line(HoughJob& job, ExactLine line, std::int32_t votes, std::uint32_t&
          hough::take_segments(job, line, votes, taken);
 }
 
+std::uint64_t most_draws(const HoughJob& job) noexcept {
+  if (job.options.max_draws > 0) return job.options.max_draws;
+  const std::uint64_t by_pixels = std::uint64_t{8} * job.result.edge_pixels;
+  return by_pixels > 1'000'000 ? by_pixels : 1'000'000;
+}
+
 std::uint64_t patience(const HoughJob& job, const PixelBuckets& buckets, std::uint32_t left) noexcept {
   const PairDrawing drawing{static_cast<double>(left), static_cast<double>(buckets.most_nearby()),
                             job.options.min_length};
@@ -166,12 +172,13 @@ bool run_randomized(HoughJob& job) noexcept {
   std::uint32_t left = buckets.size();
   job.result.edge_pixels = left;
 
+  const std::uint64_t most = most_draws(job);
   std::uint64_t fruitless = 0;
   std::uint64_t limit = left < 2 ? 0 : patience(job, buckets, left);
   while (left >= 2) {
     // Step 6.
     if (fruitless >= limit) break;
-    if (job.result.draws == job.options.max_draws) break;
+    if (job.result.draws == most) break;
     ++job.result.draws;
     ++fruitless;
     std::uint32_t taken = 0;

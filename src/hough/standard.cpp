@@ -18,28 +18,31 @@ std::int32_t* middle_cell(const HoughJob& job, std::int32_t n) noexcept {
   return job.memory.cells.data() + (n + hough_guard) * row + hough_guard + (job.grid.distances - 1) / 2;
 }
 
-std::size_t list_row(HoughJob& job, std::int32_t y) noexcept {
+/// Lists the edge pixels of the rows [top, bottom) in row-major order, and copies the rows to the mask.
+std::size_t list_band(HoughJob& job, std::int32_t top, std::int32_t bottom) noexcept {
   std::size_t count = 0;
   const auto width = static_cast<std::size_t>(job.edges.width);
-  std::uint8_t* mask = job.memory.mask.data() + static_cast<std::size_t>(y) * width;
-  const std::uint8_t* row = job.edges.row(y);
-  for (std::size_t x = 0; x < width; ++x) {
-    mask[x] = row[x] != 0 ? 1 : 0;
-    if (row[x] != 0)
+  for (std::int32_t y = top; y < bottom; ++y) {
+    std::uint8_t* mask = job.memory.mask.data() + static_cast<std::size_t>(y) * width;
+    const std::uint8_t* row = job.edges.row(y);
+    for (std::size_t x = 0; x < width; ++x) {
+      mask[x] = row[x] != 0 ? 1 : 0;
+      if (row[x] == 0) continue;
       job.memory.points[count++] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
+    }
   }
   return count;
 }
 
-/// One angle after the other: the votes of a row of pixels fall near one another.
-void vote_all_angles(HoughJob& job, std::span<const PixelPlace> row, float y) noexcept {
+/// One angle after the other: at one angle the votes of a band of rows fall near one another, so that
+/// the cells stay in the cache while the whole accumulator does not.
+void vote_all_angles(HoughJob& job, std::span<const PixelPlace> band) noexcept {
   for (std::int32_t n = 0; n < job.grid.angles; ++n) {
     std::int32_t* cells = middle_cell(job, n);
-    const auto angle = static_cast<std::size_t>(n);
-    const float cosine = job.memory.cosines[angle];
-    const float part = y * job.memory.sines[angle];
-    for (const PixelPlace pixel : row)
-      ++cells[hough::round_even(static_cast<float>(pixel.x) * cosine + part)];
+    const float cosine = job.memory.cosines[static_cast<std::size_t>(n)];
+    const float sine = job.memory.sines[static_cast<std::size_t>(n)];
+    for (const PixelPlace pixel : band)
+      ++cells[hough::round_even(static_cast<float>(pixel.x) * cosine + static_cast<float>(pixel.y) * sine)];
   }
 }
 
@@ -80,11 +83,12 @@ bool vote_standard(HoughJob& job) noexcept {
   hough::fill_angles_by_adding(job);
   for (std::int32_t& cell : job.memory.cells) cell = 0;
   // Step 2.
-  for (std::int32_t y = 0; y < job.edges.height; ++y) {
-    const auto row = job.memory.points.first(list_row(job, y));
-    job.result.edge_pixels += static_cast<std::uint32_t>(row.size());
-    if (!job.windowed()) vote_all_angles(job, row, static_cast<float>(y));
-    for (const PixelPlace pixel : row) {
+  for (std::int32_t top = 0; top < job.edges.height; top += hough_band_rows) {
+    const std::int32_t bottom = std::min(top + hough_band_rows, job.edges.height);
+    const auto band = job.memory.points.first(list_band(job, top, bottom));
+    job.result.edge_pixels += static_cast<std::uint32_t>(band.size());
+    if (!job.windowed()) vote_all_angles(job, band);
+    for (const PixelPlace pixel : band) {
       if (job.windowed()) {
         const hough::AngleWindow window = hough::angle_window(job, pixel.x, pixel.y);
         vote_angles(job, pixel, window.first, window.end);

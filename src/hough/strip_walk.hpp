@@ -62,6 +62,12 @@ class StripWalk {
   double reach_ = 0;
 };
 
+/// Whether so many empty steps are more than the gap allowed; a thousandth of a pixel is not, so that a hole
+/// of ten pixels along a row is ten pixels long also for a line that is nearly level.
+inline bool too_long_a_gap(const StripWalk& walk, std::int32_t empty_steps, double max_gap) noexcept {
+  return empty_steps * walk.step_length() > max_gap + 1e-3;
+}
+
 /// A piece of a line between two carried steps.
 struct Piece {
   std::int32_t first_step = 0, first_across = 0;
@@ -113,8 +119,7 @@ bool for_each_piece(GrayView edges, const StripWalk& walk, const DirectionTest& 
   for (std::int32_t step = 0; step < walk.steps(); ++step) {
     const Support support = support_at(edges, walk, fits, step);
     if (support.pixels == 0) continue;
-    const double gap = (step - piece.last_step - 1) * walk.step_length();
-    if (piece.pixels > 0 && gap > max_gap) {
+    if (piece.pixels > 0 && too_long_a_gap(walk, step - piece.last_step - 1, max_gap)) {
       if (!emit(piece)) return false;
       piece.pixels = 0;
     }

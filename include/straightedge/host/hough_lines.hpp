@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "straightedge/hough_lines.hpp"
+
+namespace straightedge {
+
+/// The lines of an edge image, in memory of their own.
+struct HoughFound {
+  HoughResult result;
+  std::vector<HoughPeak> peaks;
+  std::vector<HoughSegment> segments;
+};
+
+/// HoughLines (hough_lines.hpp) in one call. When the output proves too small it is doubled and the
+/// run, which is deterministic, repeated. Bad input is told by `result.status`.
+inline HoughFound hough_lines(GrayView edges, const HoughOptions& options = {}, GradientView gradients = {}) {
+  HoughFound found;
+  const HoughGrid grid = hough_grid(edges.size(), options);
+  found.result.status = edges.valid() ? grid.status : Status::invalid_image;
+  if (found.result.status != Status::ok) return found;
+
+  std::vector<std::byte> workspace(HoughLines::workspace_bytes(edges.size(), options));
+  HoughLines lines;
+  found.result.status = HoughLines::prepare(lines, edges.size(), options, workspace);
+  if (found.result.status != Status::ok) return found;
+
+  const bool with_peaks = options.method != HoughMethod::progressive;
+  std::size_t capacity = 4096;
+  do {
+    found.peaks.resize(with_peaks ? capacity : 0);
+    found.segments.resize(capacity);
+    found.result = lines.run(edges, gradients, found.peaks, found.segments);
+    capacity *= 2;
+  } while (found.result.status == Status::output_full);
+  found.peaks.resize(found.result.peaks);
+  found.segments.resize(found.result.segments);
+  return found;
+}
+
+}  // namespace straightedge
