@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "map/sample.hpp"
 #include "straightedge/host/image.hpp"
 
 namespace straightedge {
@@ -56,6 +57,20 @@ class AreaMeter {
   Image<std::uint8_t> seen_;
 };
 
+/// How far it is dark behind the face, on average, at most `most`.
+double dark_depth(GrayView picture, const WallLine& face, double most) {
+  double sum = 0;
+  int rows = 0;
+  for (double s = face.begin + 1; s < face.end; s += 1, ++rows) {
+    double depth = 1;
+    while (depth < most && sample(picture, face.x_at(s) - depth * face.nx, face.y_at(s) - depth * face.ny) < dark_below) {
+      depth += 0.5;
+    }
+    sum += depth;
+  }
+  return rows > 0 ? sum / rows : 0;
+}
+
 /// A dark pixel behind the middle of a face, as near to it as there is one.
 bool dark_behind(GrayView picture, const WallLine& face, Pixel& found) {
   for (double along : {0.5, 0.35, 0.65}) {
@@ -73,13 +88,15 @@ bool dark_behind(GrayView picture, const WallLine& face, Pixel& found) {
 
 }  // namespace
 
-std::uint32_t drop_furniture(std::vector<WallLine>& lines, GrayView picture, double max_size) {
+std::uint32_t drop_furniture(std::vector<WallLine>& lines, GrayView picture, double max_size,
+                             double max_wall_width) {
   AreaMeter meter(picture, max_size);
   const std::size_t before = lines.size();
   std::erase_if(lines, [&](const WallLine& line) {  // Step 2
     Pixel seed;
     return !line.axis && line.length() <= max_size * 1.5 && dark_behind(picture, line, seed) &&
-           meter.is_small(seed);
+           meter.is_small(seed) &&
+           dark_depth(picture, line, max_size) > max_wall_width;
   });
   return static_cast<std::uint32_t>(before - lines.size());
 }

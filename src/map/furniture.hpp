@@ -18,6 +18,7 @@ namespace straightedge {
 /// thin
 ///    walls stay, however short: a dashed wall is made of such pieces.
 /// Returns how many faces went.
-std::uint32_t drop_furniture(std::vector<WallLine>& lines, GrayView picture, double max_size);
+std::uint32_t drop_furniture(std::vector<WallLine>& lines, GrayView picture, double max_size,
+                             double max_wall_width);
 
 }  // namespace straightedge

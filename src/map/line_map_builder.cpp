@@ -60,7 +60,7 @@ void read_walls(const Picture& picture, GrayView blurred, const LineMapOptions& 
   report.walls = join_thin_walls(lines, picture.stretched, options.max_wall_width);
   const std::size_t before = lines.size();
   lines = measure_extents(lines, picture, blurred, {options.max_gap, options.max_wall_width});
-  lines = keep_supported(lines, picture, {.max_gap = options.max_gap});
+  lines = keep_supported(lines, picture, {});
   report.no_wall = static_cast<std::uint32_t>(before > lines.size() ? before - lines.size() : 0);
 }
 
@@ -108,7 +108,7 @@ Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& option
   report.merged = merge_fragments(lines, merge);
   const std::vector<WallLine> helpers = split_off_short(lines, options.min_length - corner_reach);
   if (picture.kind == PictureKind::map) {
-    report.furniture = drop_furniture(lines, picture.stretched, options.furniture_size);
+    report.furniture = drop_furniture(lines, picture.stretched, options.furniture_size, options.max_wall_width);
   }
   // Step 8: segments of one infinite line share its fit.
   const auto groups = group_collinear(lines, merge);

@@ -21,7 +21,7 @@ constexpr double end_tolerance = 4;
 constexpr double dark_share = 0.7;
 constexpr double usual_dark = 0.57;
 // Two neighbours, neither of them dark, are a wall between two pixels when they have this much together.
-constexpr double pair_dark = 0.7;
+constexpr double pair_dark = 0.8;
 // In a noisy picture thin walls fall to pieces that are no crumbs.
 constexpr double noisy_dark_share = 0.45;
 constexpr double noisy_min_piece = 4;
