@@ -30,12 +30,14 @@ struct EdgePosition {
 /// Sub-pixel position of the edge at pixel (x, y), which must lie inside the field.
 ///
 /// 1. Look across the edge along the image axis that is nearest to the gradient's direction.
-/// 2. Lay a parabola through the three magnitudes there; its top is where the edge crosses that row or
-///    column (a straight edge crosses it at the right place whatever its slope). At most half a pixel.
-/// 3. The sharper the parabola, the surer the place: variance = floor² + (noise / curvature)².
+/// 2. The largest of the three magnitudes there is the top. It is the pixel's own where the pixels come from
+///    the same field; they may come from another version of the picture, a pixel off.
+/// 3. Lay a parabola through the top and its two neighbours; its vertex is where the edge crosses that row or
+///    column (a straight edge crosses it at the right place whatever its slope).
+/// 4. The sharper the parabola, the surer the place: variance = floor² + (noise / curvature)².
 ///
 /// F. Devernay, "A non-maxima suppression method for edge detection with sub-pixel accuracy",
-/// INRIA RR-2724, 1995. At the image's border the pixel's centre is returned.
+/// INRIA RR-2724, 1995. Within two pixels of the image's border the pixel's centre is returned.
 EdgePosition edge_position(const GradientField& field, std::int32_t x, std::int32_t y) noexcept;
 
 }  // namespace straightedge

@@ -68,8 +68,8 @@ struct LineFit {
 /// of slanted walls, pixels that a wall's edge was rounded to). Measured against exact floor plans,
 /// see docs/line-map.md.
 struct LineFloor {
-  double offset = 0.2;        ///< standard deviation, pixels
-  double angle_length = 0.4;  ///< standard deviation of the angle times the length, pixels
+  double offset = 0.19;       ///< standard deviation, pixels
+  double angle_length = 0.2;  ///< standard deviation of the angle times the length, pixels
 };
 
 /// Weighted total least squares.

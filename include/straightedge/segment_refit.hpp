@@ -13,7 +13,7 @@
 namespace straightedge {
 
 struct RefitOptions {
-  double corridor = 1.4;  ///< pixels to each side of the line in which its edge pixels lie; 0.5..8
+  double corridor = 0.9;  ///< pixels to each side of the line in which its edge pixels lie; 0.5..8
   double max_angle =
       0.4363323129985824;  ///< radians between a pixel's gradient and the line's normal; 0..pi/2
   double max_gap = 10;     ///< pixels; a longer hole ends the segment
@@ -42,6 +42,8 @@ struct RefinedSegment {
 /// 2. Walk from the segment's middle to both ends and on, collecting the edge pixels of the corridor
 ///    whose gradient points to the light side within max_angle, until a hole is longer than max_gap.
 /// 3. Take each pixel's sub-pixel position (edge_position.hpp) and weight, fit a line, go to 2.
+/// 4. Before the last round: when the two halves lie on lines a step apart, they are two walls that nearly
+///    continue one another; go on with the larger half in a corridor half as wide.
 ///
 /// `mask` says which edge pixels may be used (non-zero). Cost: proportional to the segment's length.
 /// Nothing near: `pixels` is 0. invalid_option, invalid_image, size_mismatch as named.

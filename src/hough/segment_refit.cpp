@@ -10,6 +10,9 @@ namespace {
 
 // Pixels are looked for a little outside the corridor: their sub-pixel position may lie inside.
 constexpr double position_reach = 0.75;
+// Two walls that nearly continue one another: halves of this many pixels, a step of this many between them.
+constexpr double min_half = 12;
+constexpr double min_step = 0.7;
 
 struct Extent {
   std::int32_t first;
@@ -41,6 +44,7 @@ bool find_light_side(GrayView mask, const GradientField& field, Extent steps, Co
 
 struct Collected {
   LineMoments moments;
+  LineMoments halves[2];  // before and behind the middle
   double begin = 0, end = 0;
   std::uint32_t pixels = 0;
 };
@@ -65,7 +69,7 @@ void collect(GrayView mask, const GradientField& field, const Corridor& strip, c
       found.begin = s < found.begin ? s : found.begin;
       found.end = s > found.end ? s : found.end;
       ++found.pixels;
-      found.moments.add(edge.x - strip.px, edge.y - strip.py, 1 / edge.variance);
+      found.halves[s < 0 ? 0 : 1].add(edge.x - strip.px, edge.y - strip.py, 1 / edge.variance);
       hole = 0;
     });
     if (!inside) break;
@@ -81,6 +85,49 @@ bool follow(const Collected& found, Corridor& strip, LineFit& fit) noexcept {
   strip.px += fit.centroid_x;
   strip.py += fit.centroid_y;
   return true;
+}
+
+/// Step 4. True when the two halves lie on parallel lines a step apart; the corridor is then laid along the
+/// half with more pixels.
+bool is_stepped(const Collected& found, Corridor& strip) noexcept {
+  LineFit half[2];
+  for (int h = 0; h < 2; ++h) {
+    if (found.halves[h].count < min_half || fit_line(found.halves[h], half[h]) != Status::ok) return false;
+  }
+  const double x = 0.5 * (half[0].centroid_x + half[1].centroid_x);
+  const double y = 0.5 * (half[0].centroid_y + half[1].centroid_y);
+  const double side = half[0].normal_x * half[1].normal_x + half[0].normal_y * half[1].normal_y < 0 ? -1 : 1;
+  const double step = side * half[1].distance(x, y) - half[0].distance(x, y);
+  if (step * step < min_step * min_step) return false;
+  const int larger = found.halves[0].count >= found.halves[1].count ? 0 : 1;
+  Collected chosen;
+  chosen.moments = found.halves[larger];
+  LineFit fit;
+  return follow(chosen, strip, fit);
+}
+
+/// Step 2, both ways from the corridor's middle.
+Collected collect_both_ways(GrayView mask, const GradientField& field, const Corridor& strip,
+                            const RefitOptions& options) noexcept {
+  const auto middle = static_cast<std::int32_t>((strip.steep() ? strip.py : strip.px) + 0.5);
+  Collected found;
+  collect(mask, field, strip, options, middle, 1, found);
+  collect(mask, field, strip, options, middle - 1, -1, found);
+  found.moments = found.halves[0];
+  found.moments.add(found.halves[1]);
+  return found;
+}
+
+RefinedSegment refined_from(const Collected& found, const Corridor& before, const Corridor& strip,
+                            const LineFit& fit) noexcept {
+  RefinedSegment refined{found.moments, before.px,   before.py, fit,         strip.nx,
+                         strip.ny,      found.begin, found.end, found.pixels};
+  const double moved = fit.centroid_x * strip.tx() + fit.centroid_y * strip.ty();
+  refined.begin -= moved;
+  refined.end -= moved;
+  refined.fit.centroid_x += before.px;
+  refined.fit.centroid_y += before.py;
+  return refined;
 }
 
 bool valid(const RefitOptions& o) noexcept {
@@ -111,28 +158,26 @@ Status refit_segment(GrayView mask, const GradientField& field, const HoughSegme
   if (!mask.valid() || !field.valid()) return Status::invalid_image;
   if (mask.size() != field.x.size()) return Status::size_mismatch;
   Corridor strip = corridor_of(rough, options);
-  if (!find_light_side(mask, field, steps_of(strip, rough), strip)) return Status::ok;
-  for (int round = 0; round < options.rounds; ++round) {
-    const double start = strip.steep() ? strip.py : strip.px;
-    const auto middle = static_cast<std::int32_t>(start + 0.5);
-    Collected found;
-    collect(mask, field, strip, options, middle, 1, found);
-    collect(mask, field, strip, options, middle - 1, -1, found);
-    const double origin_x = strip.px;
-    const double origin_y = strip.py;
+  if (!find_light_side(mask, field, steps_of(strip, rough), strip)) return Status::ok;  // Step 1
+  double corridor = options.corridor;
+  bool may_step = true;
+  for (int left = options.rounds; left > 0; --left) {
+    const Collected found = collect_both_ways(mask, field, strip, options);  // Step 2
+    const Corridor before = strip;
     LineFit fit;
-    if (!follow(found, strip, fit)) {
+    const bool stepped = may_step && left == 2 && is_stepped(found, strip);
+    if (!stepped && !follow(found, strip, fit)) {  // Step 3
       refined = {};
       return Status::ok;
     }
-    strip.half_width = options.corridor;
-    refined = {found.moments, origin_x,    origin_y,  fit,         strip.nx,
-               strip.ny,      found.begin, found.end, found.pixels};
-    const double moved = fit.centroid_x * strip.tx() + fit.centroid_y * strip.ty();
-    refined.begin -= moved;
-    refined.end -= moved;
-    refined.fit.centroid_x += origin_x;
-    refined.fit.centroid_y += origin_y;
+    if (stepped) {  // Step 4
+      may_step = false;
+      corridor *= 0.5;
+      left = 4;
+    } else {
+      refined = refined_from(found, before, strip, fit);
+    }
+    strip.half_width = corridor;
   }
   return Status::ok;
 }

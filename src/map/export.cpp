@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "map/line_floor.hpp"
 #include "straightedge/host/line_geometry.hpp"
 #include "straightedge/trigonometry.hpp"
 
@@ -49,8 +50,9 @@ double extent_of(const std::vector<WallLine>& lines, const std::vector<std::size
   return end - begin;
 }
 
-MapLine map_line_of(const std::vector<WallLine>& lines, const std::vector<std::size_t>& group, Size image,
-                    const LineFloor& floor) {
+MapLine map_line_of(const std::vector<WallLine>& lines, const std::vector<std::size_t>& group,
+                    const Picture& picture) {
+  const Size image = picture.gray.size();
   const WallLine& first = lines[group.front()];
   MapLine out;
   const Point2 centroid = centre_frame(first.fit.centroid_x, first.fit.centroid_y, image);
@@ -59,7 +61,7 @@ MapLine map_line_of(const std::vector<WallLine>& lines, const std::vector<std::s
   out.rho = form.rho;
   out.theta = form.theta;
   LineFit fit = first.fit;
-  add_floor(fit, extent_of(lines, group), floor);
+  add_floor(fit, extent_of(lines, group), line_floor(picture, first));
   const Point2 at = project_on_line(centroid, out.rho, out.theta);
   out.covariance = LineCovariance{at.x, at.y, fit.var_theta, fit.var_offset};
   std::uint32_t votes = 0, count = 0;
@@ -86,12 +88,12 @@ MapLine map_line_of(const std::vector<WallLine>& lines, const std::vector<std::s
 }  // namespace
 
 std::vector<MapLine> to_map_lines(const std::vector<WallLine>& lines,
-                                  const std::vector<std::vector<std::size_t>>& groups, Size image,
-                                  const LineFloor& floor) {
+                                  const std::vector<std::vector<std::size_t>>& groups,
+                                  const Picture& picture) {
   std::vector<MapLine> out;
   std::uint32_t segment_id = 0;
   for (const std::vector<std::size_t>& group : groups) {
-    MapLine line = map_line_of(lines, group, image, floor);
+    MapLine line = map_line_of(lines, group, picture);
     line.id = static_cast<std::uint32_t>(out.size());
     for (MapSegment& segment : line.segments) segment.id = segment_id++;
     out.push_back(std::move(line));

@@ -63,7 +63,8 @@ double dark_depth(GrayView picture, const WallLine& face, double most) {
   int rows = 0;
   for (double s = face.begin + 1; s < face.end; s += 1, ++rows) {
     double depth = 1;
-    while (depth < most && sample(picture, face.x_at(s) - depth * face.nx, face.y_at(s) - depth * face.ny) < dark_below) {
+    while (depth < most &&
+           sample(picture, face.x_at(s) - depth * face.nx, face.y_at(s) - depth * face.ny) < dark_below) {
       depth += 0.5;
     }
     sum += depth;
@@ -95,8 +96,7 @@ std::uint32_t drop_furniture(std::vector<WallLine>& lines, GrayView picture, dou
   std::erase_if(lines, [&](const WallLine& line) {  // Step 2
     Pixel seed;
     return !line.axis && line.length() <= max_size * 1.5 && dark_behind(picture, line, seed) &&
-           meter.is_small(seed) &&
-           dark_depth(picture, line, max_size) > max_wall_width;
+           meter.is_small(seed) && dark_depth(picture, line, max_size) > max_wall_width;
   });
   return static_cast<std::uint32_t>(before - lines.size());
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/host/line_map_builder.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -37,20 +38,29 @@ struct Edges {
   std::unique_ptr<std::byte[]> workspace;
   Canny canny;
   Image<std::uint8_t> pixels;
+  Image<std::int32_t> sharpness;  ///< magnitude of the picture as given
 
-  GradientField field() const { return {canny.gradient_x(), canny.gradient_y(), canny.magnitude()}; }
+  /// Directions from the stretched picture, positions from the one as given: stretching cuts off the light
+  /// end of each edge and would move it towards the dark.
+  GradientField field() const { return {canny.gradient_x(), canny.gradient_y(), sharpness}; }
 };
 
-Status detect_edges(GrayView picture, const CannyOptions& options, Edges& edges, CannyResult& result) {
-  result.status = Canny::check(picture.size(), options);
-  if (result.status != Status::ok) return result.status;
-  const std::size_t bytes = Canny::workspace_bytes(picture.size(), options);
+Status detect_edges(const Picture& picture, const CannyOptions& options, Edges& edges, CannyResult& result) {
+  const Size size = picture.gray.size();
+  const Status valid = Canny::check(size, options);
+  if (valid != Status::ok) return valid;
+  const std::size_t bytes = Canny::workspace_bytes(size, options);
   edges.workspace = std::make_unique_for_overwrite<std::byte[]>(bytes);
-  const Status prepared =
-      Canny::prepare(edges.canny, picture.size(), options, {edges.workspace.get(), bytes});
+  const Status prepared = Canny::prepare(edges.canny, size, options, {edges.workspace.get(), bytes});
   if (prepared != Status::ok) return prepared;
-  edges.pixels = Image<std::uint8_t>(picture.size());
-  result = edges.canny.run(picture, edges.pixels.view());
+  edges.pixels = Image<std::uint8_t>(size);
+  result = edges.canny.run(picture.gray, edges.pixels.view());
+  if (result.status != Status::ok) return result.status;
+  edges.sharpness = Image<std::int32_t>(size);
+  for (std::int32_t y = 0; y < size.height; ++y) {
+    std::copy_n(edges.canny.magnitude().row(y), size.width, edges.sharpness.view().row(y));
+  }
+  if (picture.kind == PictureKind::map) result = edges.canny.run(picture.stretched, edges.pixels.view());
   return result.status;
 }
 
@@ -95,7 +105,7 @@ Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& option
   report.picture = picture.kind;
   // Step 2: edges.
   Edges edges;
-  Status status = detect_edges(picture.stretched, options.canny, edges, report.canny);
+  Status status = detect_edges(picture, options.canny, edges, report.canny);
   if (status != Status::ok) return failure_of("the edge detector", status);
   // Step 3: straight edges, each with pixels of its own.
   std::vector<WallLine> lines;
@@ -108,7 +118,8 @@ Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& option
   report.merged = merge_fragments(lines, merge);
   const std::vector<WallLine> helpers = split_off_short(lines, options.min_length - corner_reach);
   if (picture.kind == PictureKind::map) {
-    report.furniture = drop_furniture(lines, picture.stretched, options.furniture_size, options.max_wall_width);
+    report.furniture =
+        drop_furniture(lines, picture.stretched, options.furniture_size, options.max_wall_width);
   }
   // Step 8: segments of one infinite line share its fit.
   const auto groups = group_collinear(lines, merge);
@@ -116,7 +127,7 @@ Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& option
   if (picture.kind == PictureKind::map) close_corners(lines, helpers, corner_reach);
   const auto kept = long_enough(lines, groups, options.min_length);
   // Step 10: the map's frame.
-  out.map.lines = to_map_lines(lines, kept, gray.size(), merge.floor);
+  out.map.lines = to_map_lines(lines, kept, picture);
   out.map.image = MapImage{.file = {}, .size = gray.size(), .placement = {}, .meaning = options.meaning};
   for (const MapLine& line : out.map.lines)
     report.segments += static_cast<std::uint32_t>(line.segments.size());

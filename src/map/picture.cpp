@@ -21,6 +21,10 @@ constexpr int level_reach = 12;
 constexpr int even_reach = 20;
 constexpr std::int32_t block = 4;
 constexpr int block_contrast = 110;
+// A lone dark pixel is darker than all its neighbours by this much; specks lie evenly when a tenth of all
+// places has at least this share of the usual number.
+constexpr int lone_contrast = 80;
+constexpr double speckled_evenness = 0.4;
 
 Histogram histogram_of(GrayView gray) {
   Histogram histogram{};
@@ -138,6 +142,49 @@ std::array<std::uint8_t, 256> inversion(bool negate) {
   return table;
 }
 
+/// Whether gray, where it is neither black nor white, changes from pixel to pixel nearly everywhere.
+bool is_grainy(GrayView gray) {
+  std::int64_t pairs = 0, same = 0;
+  for (std::int32_t y = 0; y < gray.height; ++y) {
+    const std::uint8_t* row = gray.row(y);
+    for (std::int32_t x = 1; x < gray.width; ++x) {
+      if (row[x] == 0 || row[x] == 255) continue;
+      ++pairs;
+      same += row[x] == row[x - 1] ? 1 : 0;
+    }
+  }
+  return same * 3 < pairs && pairs * 10 > std::int64_t{gray.width} * gray.height;
+}
+
+/// Whether lone dark pixels lie all over the picture, as a scanner's or a radio's specks do; clutter in a
+/// building lies in heaps.
+bool is_speckled(GrayView gray) {
+  constexpr std::int32_t cells = 8;
+  std::array<int, cells * cells> specks{};
+  for (std::int32_t y = 1; y + 1 < gray.height; ++y) {
+    for (std::int32_t x = 1; x + 1 < gray.width; ++x) {
+      const int here = gray.at(x, y) + lone_contrast;
+      bool lone = true;
+      for (std::int32_t k = 0; k < 9 && lone; ++k)
+        lone = k == 4 || gray.at(x + k % 3 - 1, y + k / 3 - 1) > here;
+      if (!lone) continue;
+      const std::int32_t cell = y * cells / gray.height * cells + x * cells / gray.width;
+      ++specks[static_cast<std::size_t>(cell)];
+    }
+  }
+  std::sort(specks.begin(), specks.end());
+  const int tenth = specks[specks.size() / 10], median = specks[specks.size() / 2];
+  return median >= 2 && tenth >= speckled_evenness * median;
+}
+
+/// Whether the picture has no gray between wall and ground, as an occupancy grid: then a wall's edge was
+/// rounded to the next pixel.
+bool is_crisp(const Histogram& histogram, int black, int ground) {
+  const int margin = (ground - black) / 10;
+  const std::int64_t between = mass_between(histogram, black + margin, ground - margin);
+  return between * 5 < mass_between(histogram, 0, black + margin - 1);
+}
+
 }  // namespace
 
 Picture understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning) {
@@ -162,8 +209,10 @@ Picture understand_picture(GrayView gray, PictureKind asked, const std::optional
   }
   const int ground = grounds.empty() ? 255 : grounds.front();
   picture.ground = ground;
-  picture.stretched = through_table(
-      picture.gray, stretch_table(std::min(darkest_level(histogram, pixels), ground / 2), ground));
+  const int black = std::min(darkest_level(histogram, pixels), ground / 2);
+  picture.stretched = through_table(picture.gray, stretch_table(black, ground));
+  picture.noisy = is_grainy(picture.gray) || is_speckled(picture.gray);
+  picture.crisp = is_crisp(histogram, black, ground);
   if (!meaning && grounds.size() > 1) picture.free_above = 0.5 * (grounds.front() + grounds.back());
   return picture;
 }

@@ -18,6 +18,8 @@ struct Picture {
   PictureKind kind = PictureKind::photo;  ///< map or photo
   Image<std::uint8_t> gray;               ///< as given, inverted where the map says `negate`
   Image<std::uint8_t> stretched;          ///< black = wall, white = ground; a photo as it is
+  bool noisy = false;                     ///< grain or specks all over it
+  bool crisp = false;                     ///< no gray between wall and ground
   double ground = 255;                    ///< the darkest level of ground in `gray`
   double wall_below = 256;                ///< a wall's core is darker than this in `gray`; 256: no such rule
   double free_above = -1;                 ///< open floor is lighter than this in `gray`

@@ -3,7 +3,6 @@
 #include "map/support.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -26,48 +25,10 @@ constexpr double pair_dark = 0.8;
 constexpr double noisy_dark_share = 0.45;
 constexpr double noisy_min_piece = 4;
 
-constexpr int lone_contrast = 80;
-constexpr double speckled_evenness = 0.4;
-
 struct Run {
   double begin = 0, end = 0;
   double length() const { return end - begin; }
 };
-
-/// Whether gray, where it is neither black nor white, changes from pixel to pixel nearly everywhere.
-bool is_noisy(GrayView gray) {
-  std::int64_t pairs = 0, same = 0;
-  for (std::int32_t y = 0; y < gray.height; ++y) {
-    const std::uint8_t* row = gray.row(y);
-    for (std::int32_t x = 1; x < gray.width; ++x) {
-      if (row[x] == 0 || row[x] == 255) continue;
-      ++pairs;
-      same += row[x] == row[x - 1] ? 1 : 0;
-    }
-  }
-  return same * 3 < pairs && pairs * 10 > std::int64_t{gray.width} * gray.height;
-}
-
-/// Whether lone dark pixels lie all over the picture, as a scanner's or a radio's specks do; clutter in a
-/// building lies in heaps.
-bool is_speckled(GrayView gray) {
-  constexpr std::int32_t cells = 8;
-  std::array<int, cells * cells> specks{};
-  for (std::int32_t y = 1; y + 1 < gray.height; ++y) {
-    for (std::int32_t x = 1; x + 1 < gray.width; ++x) {
-      const int here = gray.at(x, y) + lone_contrast;
-      bool lone = true;
-      for (std::int32_t k = 0; k < 9 && lone; ++k)
-        lone = k == 4 || gray.at(x + k % 3 - 1, y + k / 3 - 1) > here;
-      if (!lone) continue;
-      const std::int32_t cell = y * cells / gray.height * cells + x * cells / gray.width;
-      ++specks[static_cast<std::size_t>(cell)];
-    }
-  }
-  std::sort(specks.begin(), specks.end());
-  const int tenth = specks[specks.size() / 10], median = specks[specks.size() / 2];
-  return median >= 2 && tenth >= speckled_evenness * median;
-}
 
 /// How dark each pixel is, 0 to 255.
 Image<std::uint8_t> darkness_of(GrayView stretched) {
@@ -181,11 +142,11 @@ std::vector<Run> runs_of(GrayView solid, const WallLine& line) {
 std::vector<WallLine> keep_supported(const std::vector<WallLine>& lines, const Picture& picture,
                                      const SupportOptions& options) {
   std::vector<WallLine> out;
-  const bool noisy = is_noisy(picture.gray) || is_speckled(picture.gray);
   Image<std::uint8_t> darkness = darkness_of(picture.stretched);
-  const int from = dark_from(lines, picture, darkness, noisy ? noisy_dark_share : dark_share);
+  const int from = dark_from(lines, picture, darkness, picture.noisy ? noisy_dark_share : dark_share);
   join_pairs(darkness.view(), from);
-  const Image<std::uint8_t> solid = solid_areas(darkness, from, noisy ? noisy_min_piece : options.min_piece);
+  const Image<std::uint8_t> solid =
+      solid_areas(darkness, from, picture.noisy ? noisy_min_piece : options.min_piece);
   for (const WallLine& line : lines) {
     const std::vector<Run> runs = runs_of(solid, line);
     for (std::size_t i = 0; i < runs.size();) {
