@@ -19,10 +19,13 @@ int fail(const Failure& failure) {
   return static_cast<int>(failure.problem);
 }
 
-int fail_usage(const CLI::App& program, const CLI::ParseError& error) {
-  std::string help = "straightedge";
-  for (const CLI::App* command : program.get_subcommands()) help += " " + command->get_name();
-  return fail({Problem::bad_option, std::string(error.what()) + " (see " + help + " --help)"});
+/// `first`: the first argument, empty when there is none.
+int fail_usage(const CLI::App& program, const CLI::ParseError& error, const std::string& first) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const bool unknown_word = chosen.empty() && !first.empty() && first[0] != '-';
+  const std::string sentence = unknown_word ? "\"" + first + "\" is no sub-command" : error.what();
+  const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
+  return fail({Problem::bad_option, sentence + " (see straightedge " + command + "--help)"});
 }
 
 int print(const std::string& text) {
@@ -41,7 +44,7 @@ int run_commands(CLI::App& program, int argument_count, char** arguments) {
   } catch (const CLI::CallForVersion& version) {
     return print(std::string(version.what()) + "\n");
   } catch (const CLI::ParseError& error) {
-    return fail_usage(program, error);
+    return fail_usage(program, error, argument_count > 1 ? arguments[1] : "");
   }
   for (const Command& command : commands) {
     if (!command.app->parsed()) continue;
