@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "cli/explain_colours.hpp"
 #include "cli/explain_text.hpp"
+#include "straightedge/host/line_geometry.hpp"
 
 namespace straightedge::cli {
 namespace {
@@ -114,21 +116,55 @@ void draw_ring(Image<Rgb>& picture, double x, double y) {
   }
 }
 
+/// A rectangle of the picture.
+struct Box {
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  bool meets(const Box& other) const {
+    return x0 < other.x1 && other.x0 < x1 && y0 < other.y1 && other.y0 < y1;
+  }
+};
+
+Box box_around(Point2 middle, double width, double height) {
+  return {middle.x - width / 2, middle.y - height / 2, middle.x + width / 2, middle.y + height / 2};
+}
+
+/// A free place for a label near a point: right, left, below and above, then farther away.
+Box free_place(Point2 point, Size label, const std::vector<Box>& taken) {
+  Box place;
+  for (const double away : {1.0, 2.2, 3.4, 4.6}) {
+    const double across = away * (ring_radius + 3) + label.width / 2.0;
+    const double down = away * (ring_radius + 3) + label.height / 2.0;
+    for (const Point2 step : {Point2{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) {
+      place = box_around({point.x + step.x * across, point.y + step.y * down}, label.width + 4.0,
+                         label.height + 4.0);
+      const bool inside = place.x0 >= left && place.x1 <= left + body_width && place.y0 >= top &&
+                          place.y1 <= top + body_height;
+      if (inside &&
+          std::none_of(taken.begin(), taken.end(), [&](const Box& box) { return box.meets(place); }))
+        return place;
+    }
+  }
+  return place;
+}
+
 void draw_peaks(const ExplainRun& run, const RhoAxis& axis, Image<Rgb>& picture) {
-  for (std::size_t i = 0; i < run.peaks.size(); ++i) {
-    const auto row =
-        static_cast<double>(run.peaks[i].theta) / static_cast<double>(run.votes.grid().theta_step);
-    const double x = left + (row + 0.5) / run.votes.grid().angles * body_width;
-    const double y = top + axis.y_of(static_cast<double>(run.peaks[i].rho));
-    draw_ring(picture, x, y);
+  const HoughGrid& grid = run.votes.grid();
+  std::vector<Point2> places;
+  std::vector<Box> taken;
+  for (const HoughPeak& peak : run.peaks) {
+    const double row = static_cast<double>(peak.theta) / static_cast<double>(grid.theta_step);
+    places.push_back(
+        {left + (row + 0.5) / grid.angles * body_width, top + axis.y_of(static_cast<double>(peak.rho))});
+    taken.push_back(box_around(places.back(), 2 * ring_radius + 2, 2 * ring_radius + 2));
+    draw_ring(picture, places.back().x, places.back().y);
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
     const std::string text = std::to_string(i + 1);
-    const Size box = text_size(text, 2);
-    // Beside the ring, towards the middle of the picture.
-    const bool to_left = x > left + body_width / 2.0;
-    const double u = to_left ? x - ring_radius - 5 - box.width : x + ring_radius + 5;
+    const Box place = free_place(places[i], text_size(text, 2), taken);
+    taken.push_back(place);
     draw_text(picture.view(), text,
-              {.x = static_cast<std::int32_t>(u),
-               .y = static_cast<std::int32_t>(y) - box.height / 2,
+              {.x = static_cast<std::int32_t>(place.x0) + 2,
+               .y = static_cast<std::int32_t>(place.y0) + 2,
                .scale = 2,
                .colour = marker_colour});
   }

@@ -15,7 +15,7 @@ std::string size_text(Size size) {
 
 std::string taps_text(const std::vector<std::uint16_t>& taps) {
   std::string text;
-  for (const std::uint16_t tap : taps) text += (text.empty() ? "" : " ") + in_words(std::int64_t{tap});
+  for (const std::uint16_t tap : taps) text.append(text.empty() ? "" : " ").append(std::to_string(tap));
   return text;
 }
 
@@ -44,7 +44,7 @@ HtmlSection ground_section(const ExplainStory& story) {
            "picture."},
       .figures = {stage_figure(story, "ground.png", "The map with all ground in white and walls in black",
                                "Ground in white, walls dark.")},
-      .facts = {{"ground", "Darkest level of ground", in_words(story.run.picture.ground, 0)}},
+      .facts = {{"ground-level", "Darkest level of ground", in_words(story.run.picture.ground, 0)}},
       .sources = {"src/map/picture.hpp", "src/map/picture.cpp"}};
 }
 
@@ -84,8 +84,7 @@ HtmlSection gradient_section(const ExplainStory& story) {
           .facts = {{"aperture", "Side of the operator",
                      in_words(std::int64_t{story.options.lines.canny.aperture})},
                     {"gradient-scale", "Black and white stand for",
-                     "-" + in_words(story.scale.full_length, 0) + " and +" +
-                         in_words(story.scale.full_length, 0)}},
+                     in_words(-story.scale.full_length, 0) + " and " + in_words(story.scale.full_length, 0)}},
           .sources = {"include/straightedge/sobel.hpp", "src/canny/sobel.cpp"}};
 }
 
@@ -151,7 +150,7 @@ HtmlSection threshold_section(const ExplainStory& story) {
                "two are weak, the rest are gone."},
           .figures = {stage_figure(story, "strong-weak.png", "Strong pixels in yellow, weak pixels in blue",
                                    "Yellow: strong. Blue: weak.")},
-          .facts = {{"thresholds", "Thresholds", origin},
+          .facts = {{"thresholds-from", "Thresholds", origin},
                     {"low", "low", in_words(story.run.canny_result.low, 2)},
                     {"high", "high", in_words(story.run.canny_result.high, 2)},
                     {"strong", "Strong pixels", in_words(std::int64_t{story.run.canny_result.strong})},

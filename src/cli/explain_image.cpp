@@ -19,6 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* page_name = "index.html";
+
 struct NamedFile {
   std::string name;
   std::string bytes;
@@ -80,10 +82,12 @@ Result<bool> make_folder(const fs::path& directory) {
 Result<Done> write_folder(const std::vector<NamedFile>& files, const fs::path& directory) {
   const auto made = make_folder(directory);
   if (!made) return made.failure();
+  // An old page must not speak of new pictures when one of them cannot be written.
+  std::error_code ignored;
+  if (fs::is_regular_file(directory / page_name, ignored)) fs::remove(directory / page_name, ignored);
   for (const NamedFile& file : files) {
     const auto done = write_file_atomically(directory / file.name, file.bytes);
     if (done) continue;
-    std::error_code ignored;
     if (*made) fs::remove_all(directory, ignored);
     return done.failure();
   }
@@ -104,7 +108,7 @@ Result<Done> explain_image(GrayView gray, const ExplainOptions& options, const f
   if (!files) return files.failure();
   // Step 3.
   const ExplainStory story{*run, options, scale, accumulator.picture.size(), accumulator.most_votes};
-  files->push_back({"index.html", io::html_from_page(page_of(story))});
+  files->push_back({page_name, io::html_from_page(page_of(story))});
   // Step 4.
   return write_folder(*files, directory);
 }

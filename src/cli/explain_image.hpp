@@ -12,10 +12,9 @@
 namespace straightedge::cli {
 
 struct ExplainOptions {
-  LineMapOptions
-      lines;          ///< its Canny and Hough options are those of every picture: one run, one set of numbers
-  std::string input;  ///< base name of the picture's file
-  std::string version;  ///< of the program
+  LineMapOptions lines = {};  ///< its Canny and Hough options are those of every picture: one run
+  std::string input = {};     ///< base name of the picture's file
+  std::string version = {};   ///< of the program
 };
 
 /// Every stage on the way from a picture to its line map as a PNG, and a page `index.html` that walks

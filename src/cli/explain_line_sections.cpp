@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 
 #include "cli/explain_sections.hpp"
@@ -66,7 +65,7 @@ HtmlSection peak_section(const ExplainStory& story) {
       .paragraphs =
           {"Each peak, drawn back into the picture. A line of the table has no ends: whether its votes come "
            "from one long wall or from crumbs all over the picture is not known yet.",
-           "Peaks close to a higher one are left out here; they are mostly copies of it."},
+           "Peaks close to a higher one are left out here, for clearness; most of them are copies of it."},
       .figures = {stage_figure(story, "peaks.png", "Numbered lines through the whole picture",
                                "The lines of the highest peaks.")},
       .tables = {peak_table(story.run)},
@@ -103,23 +102,20 @@ std::vector<std::string> method_story(HoughMethod method) {
 }
 
 io::HtmlTable segment_table(const ExplainRun& run) {
-  io::HtmlTable table{"The segments with the most votes, in columns and rows of the picture.",
+  io::HtmlTable table{"The longest segments, in columns and rows of the picture.",
                       {"From", "To", "Length", "Votes", "Pixels"},
                       {}};
-  std::vector<std::size_t> order(run.segments.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return run.segments[a].votes > run.segments[b].votes;
-  });
-  order.resize(std::min(order.size(), shown_peaks));
+  const auto length = [](const HoughSegment& s) { return std::hypot(s.x1 - s.x0, s.y1 - s.y0); };
+  std::vector<HoughSegment> longest = run.segments;
+  std::stable_sort(longest.begin(), longest.end(),
+                   [&](const HoughSegment& a, const HoughSegment& b) { return length(a) > length(b); });
+  longest.resize(std::min(longest.size(), shown_peaks));
   const auto point = [](std::int32_t x, std::int32_t y) {
-    return "(" + std::to_string(x) + ", " + std::to_string(y) + ")";
+    return std::to_string(x).append(", ").append(std::to_string(y));
   };
-  for (const std::size_t i : order) {
-    const HoughSegment& s = run.segments[i];
-    table.rows.push_back({point(s.x0, s.y0), point(s.x1, s.y1),
-                          in_words(std::hypot(s.x1 - s.x0, s.y1 - s.y0), 1), in_words(std::int64_t{s.votes}),
-                          in_words(std::int64_t{s.pixels})});
+  for (const HoughSegment& s : longest) {
+    table.rows.push_back({point(s.x0, s.y0), point(s.x1, s.y1), in_words(length(s), 1),
+                          in_words(std::int64_t{s.votes}), in_words(std::int64_t{s.pixels})});
   }
   return table;
 }
@@ -127,18 +123,19 @@ io::HtmlTable segment_table(const ExplainRun& run) {
 HtmlSection segment_section(const ExplainStory& story) {
   const HoughOptions& options = story.options.lines.hough;
   const HoughResult& hough = story.run.hough;
+  const std::string method = name_of(options.method);
   HtmlSection section{
       .id = "segments",
       .title = "Segments, as the Hough transform gives them",
       .paragraphs = method_story(options.method),
       .figures = {stage_figure(story, "segments.png", "Coloured segments over the pale picture",
                                "Raw segments. Colours only tell neighbours apart.")},
-      .facts = {{"method", "Method", name_of(options.method)},
+      .facts = {{"method", "Method", method},
                 {"threshold", "Threshold", in_words(std::int64_t{options.threshold}) + " votes"},
                 {"segments-count", "Segments", in_words(std::int64_t{hough.segments})},
                 {"seed", "Seed", std::to_string(hough.seed)}},
-      .sources = {"include/straightedge/hough_" + name_of(options.method) + ".hpp",
-                  "src/hough/" + name_of(options.method) + ".cpp"}};
+      .sources = {std::string("include/straightedge/hough_").append(method).append(".hpp"),
+                  std::string("src/hough/").append(method).append(".cpp")}};
   section.paragraphs.emplace_back(
       "The ends lie on whole pixels, a wall gives two lines or more, and some lines come in pieces. The last "
       "stage "

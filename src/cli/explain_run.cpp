@@ -48,7 +48,7 @@ Status run_canny(GrayView picture, const CannyOptions& options, ExplainRun& run)
 /// Two lines that stay close to one another all through the picture are one to the eye.
 bool same_line(const HoughPeak& a, const HoughPeak& b, Size size) {
   const auto chord = chord_of(a, size);
-  const double near = std::max(3.0, 0.02 * std::hypot(size.width, size.height));
+  const double near = std::max(3.0, 0.05 * std::hypot(size.width, size.height));
   return chord && distance_to(b, chord->from) < near && distance_to(b, chord->to) < near;
 }
 

@@ -107,7 +107,7 @@ void add_section(XMLElement* body, const HtmlSection& content) {
 
 void add_zoom(XMLElement* body) {
   XMLElement* dialog = add(body, "dialog");
-  dialog->SetAttribute("id", "zoom");
+  dialog->SetAttribute("id", "viewer");
   dialog->SetAttribute("aria-label", "Enlarged picture");
   XMLElement* bar = add(dialog, "div", "bar");
   const auto button = [bar](const char* id, const char* label, const char* text) {

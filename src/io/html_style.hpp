@@ -35,6 +35,7 @@ th, td { padding: .25rem .9rem .25rem 0; text-align: left; vertical-align: top;
 th { font-weight: 600; font-size: .875rem; }
 td { font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
 .facts th { font-weight: 400; color: var(--soft); }
+.numbers { min-width: min(100%, 26rem); }
 .numbers td, .numbers th { text-align: right; padding: .25rem 0 .25rem 1.4rem; }
 .numbers td:first-child, .numbers th:first-child { padding-left: 0; }
 .sources { font-size: .875rem; color: var(--soft); }
@@ -64,7 +65,7 @@ dialog button { font-size: 1rem; min-width: 2.5rem; height: 2rem; margin-right: 
 
 inline constexpr const char* html_script = R"(
 (function () {
-  var dialog = document.getElementById('zoom');
+  var dialog = document.getElementById('viewer');
   if (!dialog.showModal) return;
   var picture = dialog.querySelector('img');
   var view = dialog.querySelector('.view');
