@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/explain_geometry.hpp"
+#include "straightedge/host/hough_lines.hpp"
 
 namespace straightedge::cli {
 namespace {
@@ -81,24 +82,6 @@ Status count_votes(HoughOptions options, ExplainRun& run) {
   return Status::ok;
 }
 
-Status find_segments(const HoughOptions& options, ExplainRun& run) {
-  const std::size_t bytes = HoughLines::workspace_bytes(run.edges.size(), options);
-  const auto memory = std::make_unique_for_overwrite<std::byte[]>(bytes);
-  HoughLines hough;
-  const Status prepared = HoughLines::prepare(hough, run.edges.size(), options, {memory.get(), bytes});
-  if (prepared != Status::ok) return prepared;
-  std::vector<HoughPeak> peaks;
-  std::size_t room = 4096;
-  do {
-    run.segments.resize(room);
-    if (options.method == HoughMethod::standard) peaks.resize(room);
-    run.hough = hough.run(run.edges, {run.canny.gradient_x(), run.canny.gradient_y()}, peaks, run.segments);
-    room *= 4;
-  } while (run.hough.status == Status::output_full && room <= (std::size_t{1} << 24));
-  run.segments.resize(run.hough.segments);
-  return run.hough.status == Status::output_full ? Status::ok : run.hough.status;
-}
-
 }  // namespace
 
 Result<ExplainRun> run_stages(GrayView gray, const LineMapOptions& options) {
@@ -112,8 +95,10 @@ Result<ExplainRun> run_stages(GrayView gray, const LineMapOptions& options) {
     return failure_of("the edge detector", status);
   if (const Status status = count_votes(options.hough, run); status != Status::ok)
     return failure_of("the accumulator", status);
-  if (const Status status = find_segments(options.hough, run); status != Status::ok)
-    return failure_of("the Hough transform", status);
+  HoughFound found = hough_lines(run.edges, options.hough, {run.canny.gradient_x(), run.canny.gradient_y()});
+  if (found.result.status != Status::ok) return failure_of("the Hough transform", found.result.status);
+  run.segments = std::move(found.segments);
+  run.hough = found.result;
   return run;
 }
 
