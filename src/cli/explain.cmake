@@ -10,6 +10,7 @@ add_library(straightedge_explain STATIC
   ${CMAKE_CURRENT_LIST_DIR}/explain_line_sections.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_overlays.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_pictures.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/explain_progress.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_run.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_sections.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_text.cpp)

@@ -9,6 +9,7 @@
 
 #include "cli/explain_accumulator.hpp"
 #include "cli/explain_pictures.hpp"
+#include "cli/explain_progress.hpp"
 #include "cli/explain_run.hpp"
 #include "cli/explain_sections.hpp"
 #include "straightedge/host/atomic_file.hpp"
@@ -20,6 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* page_name = "index.html";
+// An old page must not speak of new pictures when one of them cannot be written, and a new page not lie
+// beside pictures of an older run.
+constexpr const char* sometimes_written[] = {page_name,        "ground.png",     "progress-1.png",
+                                             "progress-2.png", "progress-3.png", "progress-4.png"};
 
 struct NamedFile {
   std::string name;
@@ -29,7 +34,7 @@ struct NamedFile {
 /// Encodes one picture after another; the first failure stays.
 class PictureFiles {
  public:
-  void add(const char* name, const Image<Rgb>& picture) {
+  void add(const std::string& name, const Image<Rgb>& picture) {
     if (!trouble_.sentence.empty()) return;
     auto png = encode_png(picture.view());
     if (!png) {
@@ -49,7 +54,8 @@ class PictureFiles {
 };
 
 Result<std::vector<NamedFile>> picture_files(const ExplainRun& run, GrayView gray, GradientNorm norm,
-                                             const PictureScale& scale, const Image<Rgb>& accumulator) {
+                                             const PictureScale& scale, const Image<Rgb>& accumulator,
+                                             const std::vector<ProgressPicture>& progress) {
   PictureFiles files;
   files.add("gray.png", show_gray(gray, scale));
   if (run.picture.kind == PictureKind::map) files.add("ground.png", show_gray(run.picture.stretched, scale));
@@ -65,6 +71,7 @@ Result<std::vector<NamedFile>> picture_files(const ExplainRun& run, GrayView gra
   files.add("accumulator.png", accumulator);
   files.add("peaks.png", show_peaks(run, scale));
   files.add("segments.png", show_segments(run, scale));
+  for (std::size_t i = 0; i < progress.size(); ++i) files.add(progress_file(i), progress[i].picture);
   files.add("lines.png", show_lines(run, scale));
   return files.take();
 }
@@ -82,9 +89,10 @@ Result<bool> make_folder(const fs::path& directory) {
 Result<Done> write_folder(const std::vector<NamedFile>& files, const fs::path& directory) {
   const auto made = make_folder(directory);
   if (!made) return made.failure();
-  // An old page must not speak of new pictures when one of them cannot be written.
   std::error_code ignored;
-  if (fs::is_regular_file(directory / page_name, ignored)) fs::remove(directory / page_name, ignored);
+  for (const char* name : sometimes_written) {
+    if (fs::is_regular_file(directory / name, ignored)) fs::remove(directory / name, ignored);
+  }
   for (const NamedFile& file : files) {
     const auto done = write_file_atomically(directory / file.name, file.bytes);
     if (done) continue;
@@ -104,10 +112,12 @@ Result<Done> explain_image(GrayView gray, const ExplainOptions& options, const f
   const GradientNorm norm = options.lines.canny.norm;
   const PictureScale scale = scale_of(*run, norm);
   const AccumulatorPicture accumulator = show_accumulator(*run);
-  auto files = picture_files(*run, gray, norm, scale, accumulator.picture);
+  const auto progress = show_progress(*run, options.lines.hough, scale);
+  auto files = picture_files(*run, gray, norm, scale, accumulator.picture, progress);
   if (!files) return files.failure();
   // Step 3.
-  const ExplainStory story{*run, options, scale, accumulator.picture.size(), accumulator.most_votes};
+  const ExplainStory story{*run,    options, scale, accumulator.picture.size(), accumulator.most_votes,
+                           progress};
   files->push_back({page_name, io::html_from_page(page_of(story))});
   // Step 4.
   return write_folder(*files, directory);

@@ -27,7 +27,7 @@ struct ExplainOptions {
 ///   4. Make the folder if there is none; write each file whole or not at all, the page last.
 ///
 /// Everything is made in memory before the first file is written, so a stage that fails leaves no trace. A
-/// folder that step 4 made goes again when a file cannot be written. Files of the same names are replaced.
+/// folder that step 4 made goes again when a file cannot be written. Files of an older run are replaced.
 ///
 /// Fails with `bad_option` (what build_line_map refuses), `cannot_write`, or `internal`.
 Result<Done> explain_image(GrayView gray, const ExplainOptions& options,

@@ -149,6 +149,27 @@ HtmlSection segment_section(const ExplainStory& story) {
   return section;
 }
 
+HtmlSection progress_section(const ExplainStory& story) {
+  const bool pairs = story.options.lines.hough.method == HoughMethod::randomized;
+  HtmlSection section{
+      .id = "progress",
+      .title = "The same run, step by step",
+      .paragraphs = {"Gray pixels wait, yellow ones have voted, red ones were taken out by a line. See how "
+                     "few votes the long lines need: most of their pixels are taken before their turn "
+                     "comes. What is still yellow in the end lies on no line that is long enough."}};
+  for (std::size_t i = 0; i < story.progress.size(); ++i) {
+    const ProgressPicture& moment = story.progress[i];
+    std::string caption = i + 1 == story.progress.size() ? "At the end: " : "After ";
+    caption += in_words(std::int64_t{moment.lines}) + (moment.lines == 1 ? " line, " : " lines, ");
+    caption +=
+        in_words(static_cast<std::int64_t>(moment.votes)) + (pairs ? " pairs" : " pixels") + " have voted, ";
+    caption += in_words(std::int64_t{moment.left}) + " pixels are left.";
+    section.figures.push_back(stage_figure(
+        story, progress_file(i).c_str(), "Edge pixels: waiting, voted, and taken by lines", caption.c_str()));
+  }
+  return section;
+}
+
 HtmlSection map_section(const ExplainStory& story) {
   const LineMapReport& report = story.run.lines.report;
   const bool map = report.picture == PictureKind::map;
@@ -180,7 +201,11 @@ HtmlSection map_section(const ExplainStory& story) {
 }  // namespace
 
 std::vector<HtmlSection> line_sections(const ExplainStory& story) {
-  return {accumulator_section(story), peak_section(story), segment_section(story), map_section(story)};
+  std::vector<HtmlSection> sections = {accumulator_section(story), peak_section(story),
+                                       segment_section(story)};
+  if (!story.progress.empty()) sections.push_back(progress_section(story));
+  sections.push_back(map_section(story));
+  return sections;
 }
 
 }  // namespace straightedge::cli

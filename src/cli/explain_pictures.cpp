@@ -60,6 +60,10 @@ PictureScale scale_of(const ExplainRun& run, GradientNorm norm) {
   return scale;
 }
 
+Image<Rgb> enlarged(ImageView<const Rgb> image, int zoom) {
+  return paint(image.size(), zoom, [&](std::int32_t x, std::int32_t y) { return image.at(x, y); });
+}
+
 Image<Rgb> show_gray(GrayView gray, const PictureScale& scale) {
   return paint(gray.size(), scale.zoom, [&](std::int32_t x, std::int32_t y) {
     const std::uint8_t value = gray.at(x, y);

@@ -18,6 +18,8 @@ struct PictureScale {
 /// dark.
 PictureScale scale_of(const ExplainRun& run, GradientNorm norm);
 
+/// Every pixel as a square of `zoom` pixels.
+Image<Rgb> enlarged(ImageView<const Rgb> image, int zoom);
 /// The pixels as they are, each enlarged to a square.
 Image<Rgb> show_gray(GrayView gray, const PictureScale& scale);
 /// 0 is middle gray, positive lighter, negative darker.

@@ -25,6 +25,10 @@ std::string in_words(std::int64_t value) {
   return text;
 }
 
+std::string progress_file(std::size_t n) {
+  return std::string("progress-").append(std::to_string(n + 1)).append(".png");
+}
+
 io::HtmlFigure stage_figure(const ExplainStory& story, const char* file, const char* alt,
                             const char* caption) {
   const Size size = story.run.edges.size();

@@ -4,6 +4,7 @@
 
 #include "cli/explain_image.hpp"
 #include "cli/explain_pictures.hpp"
+#include "cli/explain_progress.hpp"
 #include "io/html_page.hpp"
 
 namespace straightedge::cli {
@@ -15,6 +16,7 @@ struct ExplainStory {
   PictureScale scale;
   Size accumulator;             ///< of its picture
   std::int32_t most_votes = 0;  ///< of one cell
+  const std::vector<ProgressPicture>& progress;
 };
 
 /// The whole page: what each stage does in a few sentences, its pictures and its numbers.
@@ -27,6 +29,9 @@ std::vector<io::HtmlSection> line_sections(const ExplainStory& story);
 /// A picture of a stage, of the size that all of them have.
 io::HtmlFigure stage_figure(const ExplainStory& story, const char* file, const char* alt,
                             const char* caption);
+
+/// The file of the n-th picture of the progress.
+std::string progress_file(std::size_t n);
 
 /// Numbers as people read them.
 std::string in_words(double value, int decimals);

@@ -74,5 +74,7 @@ inline const std::set<std::string> photo_pictures = {
     "gray.png",        "blurred.png",         "gradient-x.png", "gradient-y.png",  "magnitude.png",
     "direction.png",   "direction-wheel.png", "suppressed.png", "strong-weak.png", "edges.png",
     "accumulator.png", "peaks.png",           "segments.png",   "lines.png"};
+inline const std::set<std::string> progress_pictures = {"progress-1.png", "progress-2.png", "progress-3.png",
+                                                        "progress-4.png"};
 
 }  // namespace explained

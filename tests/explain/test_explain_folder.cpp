@@ -52,7 +52,9 @@ TEST_CASE("a photo gives a page with every stage") {
   const TemporaryFolder folder;
   const auto page = explain_and_check(explained::fixture("images/blox.jpg"),
                                       {.input = "blox.jpg", .version = "9.8"}, folder / "out");
-  CHECK(page.pictures == explained::photo_pictures);
+  auto expected = explained::photo_pictures;
+  expected.insert(explained::progress_pictures.begin(), explained::progress_pictures.end());
+  CHECK(page.pictures == expected);
   CHECK(page.facts.at("kind") == "a photo");
   CHECK(page.text.find("straightedge 9.8") != std::string::npos);
 }
@@ -63,6 +65,7 @@ TEST_CASE("a map shows its ground, too") {
                                       {.input = "basic_map.png"}, folder / "out");
   auto expected = explained::photo_pictures;
   expected.insert("ground.png");
+  expected.insert(explained::progress_pictures.begin(), explained::progress_pictures.end());
   CHECK(page.pictures == expected);
   CHECK(page.facts.at("kind") == "a map");
 }
@@ -118,6 +121,15 @@ TEST_CASE("the same picture gives the same bytes, and an old folder is replaced"
     INFO(name);
     CHECK(bytes_of(folder / "a" / name) == bytes_of(folder / "b" / name));
   }
+}
+
+TEST_CASE("pictures of an older run do not stay") {
+  const TemporaryFolder folder;
+  explain_and_check(explained::fixture("maps/mrpt/basic_map.png"), {}, folder / "out");
+  cli::ExplainOptions options;
+  options.lines.hough.method = HoughMethod::standard;
+  const auto page = explain_and_check(explained::fixture("images/pic5.png"), options, folder / "out");
+  CHECK(page.pictures == explained::photo_pictures);
 }
 
 TEST_CASE("options that are wrong leave no trace") {

@@ -78,7 +78,7 @@ TEST_CASE("the numbers of a photo's edges are those of canny") {
   std::vector<std::uint16_t> taps(static_cast<std::size_t>(gaussian_size(options.lines.canny.sigma)));
   REQUIRE(make_gaussian_kernel(options.lines.canny.sigma, taps) == Status::ok);
   std::string text;
-  for (const std::uint16_t tap : taps) text += (text.empty() ? "" : " ") + std::to_string(tap);
+  for (const std::uint16_t tap : taps) text.append(text.empty() ? "" : " ").append(std::to_string(tap));
   CHECK(page.facts.at("taps") == text);
 }
 

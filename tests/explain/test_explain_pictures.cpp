@@ -6,6 +6,7 @@
 #include "cli/explain_colours.hpp"
 #include "cli/explain_geometry.hpp"
 #include "cli/explain_pictures.hpp"
+#include "cli/explain_progress.hpp"
 #include "cli/explain_run.hpp"
 #include "cli/explain_text.hpp"
 #include "explained.hpp"
@@ -110,6 +111,33 @@ TEST_CASE("the only line of a picture is the peak of the accumulator") {
       ringed += shown.picture.at(x, y) == marker_colour;
   }
   CHECK(ringed > 20);
+}
+
+TEST_CASE("the progress ends where the run ends") {
+  LineMapOptions options;
+  options.hough.method = GENERATE(HoughMethod::progressive, HoughMethod::randomized);
+  const ExplainRun run = run_of(explained::fixture("images/blox.jpg"), options);
+  const auto pictures = show_progress(run, options.hough, {.zoom = 1, .full_length = 1});
+  REQUIRE(pictures.size() == 4);
+  CHECK(pictures[0].lines == 1);
+  for (std::size_t i = 1; i < pictures.size(); ++i) {
+    CHECK(pictures[i].lines > pictures[i - 1].lines);
+    CHECK(pictures[i].votes >= pictures[i - 1].votes);
+    CHECK(pictures[i].left < pictures[i - 1].left);
+  }
+  const bool pairs = options.hough.method == HoughMethod::randomized;
+  CHECK(pictures.back().lines == (pairs ? run.hough.peaks : run.hough.segments));
+  for (const ProgressPicture& moment : pictures) {
+    std::uint32_t taken = 0, others = 0;
+    for (std::int32_t y = 0; y < moment.picture.height(); ++y) {
+      for (std::int32_t x = 0; x < moment.picture.width(); ++x) {
+        taken += moment.picture.at(x, y) == taken_colour;
+        others += moment.picture.at(x, y) == strong_colour || moment.picture.at(x, y) == waiting_colour;
+      }
+    }
+    CHECK(others == moment.left);
+    CHECK(taken + others == run.hough.edge_pixels);
+  }
 }
 
 TEST_CASE("chords end at the picture's border") {
