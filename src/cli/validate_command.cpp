@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/outputs.hpp"
+#include "cli/program.hpp"
+#include "cli/streams.hpp"
+#include "io/number_text.hpp"
+#include "straightedge/host/map_file.hpp"
+
+namespace straightedge::cli {
+namespace {
+
+struct ValidateArguments {
+  CommonArguments common;
+  std::string input;
+};
+
+/// All breaches but the last, which is the sentence of the failure.
+Failure refuse(const std::vector<std::string>& breaches) {
+  for (std::size_t i = 0; i + 1 < breaches.size(); ++i) print_words("straightedge: " + one_line(breaches[i]));
+  return {Problem::bad_content, breaches.back()};
+}
+
+Result<Done> run(const ValidateArguments& arguments) {
+  const std::filesystem::path file = arguments.input;
+  const auto breaches = validate_line_map(file);
+  if (!breaches) return breaches.failure();
+  if (!breaches->empty()) return refuse(*breaches);
+  const auto map = read_line_map(file);
+  if (!map) return map.failure();
+  std::size_t segments = 0;
+  for (const MapLine& line : map->lines) segments += line.segments.size();
+  if (!arguments.common.quiet) {
+    print_words(file.string() + ": valid, " + io::to_text(map->lines.size()) + " lines, " +
+                io::to_text(segments) + " segments");
+  }
+  if (!arguments.common.json) return Done{};
+  const nlohmann::ordered_json numbers = {
+      {"program", version_text()},     {"command", "validate"}, {"input", base_name(file)},
+      {"seed", arguments.common.seed}, {"valid", true},         {"lines", map->lines.size()},
+      {"segments", segments}};
+  return write_stdout(numbers.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace
+
+Command add_validate_command(CLI::App& program) {
+  const auto arguments = std::make_shared<ValidateArguments>();
+  CLI::App& command = *program.add_subcommand(
+      "validate", "Checks a line map against every rule of its format; a line on stderr for each breach");
+  command.add_option("MAP.xml", arguments->input, "the line map")->required();
+  add_common_options(command, arguments->common, "lines and segments in the map");
+  return {&command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace straightedge::cli
