@@ -10,10 +10,10 @@ namespace {
 
 constexpr double rounded_offset = 0.29;
 constexpr double two_grounds_offset = 0.2;
-constexpr double usual_offset = 0.055;
-constexpr double noisy_offset = 0.09;
-constexpr double usual_angle_length = 0.075;
-constexpr double noisy_angle_length = 0.2;
+constexpr double usual_offset = 0.05;
+constexpr double noisy_offset = 0.082;
+constexpr double usual_angle_length = 0.068;
+constexpr double noisy_angle_length = 0.18;
 
 /// Fewer steps from row to row (or column to column) than average the rounding out.
 bool lies_on_grid(const WallLine& line) {

@@ -115,14 +115,14 @@ Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& option
   if (picture.kind == PictureKind::map) read_walls(picture, edges.canny.blurred(), options, lines, report);
   // Step 7: one segment where several lie on one another; small things that stand alone go.
   const MergeOptions merge;
-  report.merged = merge_fragments(lines, merge);
+  report.merged = merge_fragments(lines, picture, merge);
   const std::vector<WallLine> helpers = split_off_short(lines, options.min_length - corner_reach);
   if (picture.kind == PictureKind::map) {
     report.furniture =
         drop_furniture(lines, picture.stretched, options.furniture_size, options.max_wall_width);
   }
   // Step 8: segments of one infinite line share its fit.
-  const auto groups = group_collinear(lines, merge);
+  const auto groups = group_collinear(lines, picture, merge);
   // Step 9: corners are closed; what is too short goes.
   if (picture.kind == PictureKind::map) close_corners(lines, helpers, corner_reach);
   const auto kept = long_enough(lines, groups, options.min_length);

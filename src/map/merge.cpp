@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <numeric>
 
+#include "map/line_floor.hpp"
+
 namespace straightedge {
 namespace {
 
@@ -14,9 +16,9 @@ namespace {
 constexpr double same_place = 2.2;
 constexpr double same_direction = 0.26;
 
-LineFit with_floor(const WallLine& line, const LineFloor& floor) {
+LineFit with_floor(const WallLine& line, const Picture& picture) {
   LineFit fit = line.fit;
-  add_floor(fit, line.length(), floor);
+  add_floor(fit, line.length(), line_floor(picture, line));
   return fit;
 }
 
@@ -46,9 +48,9 @@ bool near(const WallLine& a, const WallLine& b, double max_angle, double max_off
   return std::min(d0, d1) <= max_offset;
 }
 
-bool same_line(const WallLine& a, const WallLine& b, const MergeOptions& options) {
+bool same_line(const WallLine& a, const WallLine& b, const Picture& picture, const MergeOptions& options) {
   return near(a, b, options.max_angle, options.max_offset) &&
-         line_chi_square(with_floor(a, options.floor), with_floor(b, options.floor)) <= options.gate;
+         line_chi_square(with_floor(a, picture), with_floor(b, picture)) <= options.gate;
 }
 
 LineMoments moments_about(const WallLine& line, double x, double y) {
@@ -95,14 +97,15 @@ void sort_longest_first(std::vector<WallLine>& lines) {
 }
 
 /// Step 1, until nothing changes.
-std::uint32_t join_touching(std::vector<WallLine>& lines, const MergeOptions& options) {
+std::uint32_t join_touching(std::vector<WallLine>& lines, const Picture& picture,
+                            const MergeOptions& options) {
   std::uint32_t joined = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t j = i + 1; j < lines.size();) {
       const Span other = span_on(lines[i], lines[j]);
       const bool touch =
           other.begin <= lines[i].end + options.touching && other.end >= lines[i].begin - options.touching;
-      if (!touch || !same_line(lines[i], lines[j], options)) {
+      if (!touch || !same_line(lines[i], lines[j], picture, options)) {
         ++j;
         continue;
       }
@@ -117,9 +120,10 @@ std::uint32_t join_touching(std::vector<WallLine>& lines, const MergeOptions& op
 
 }  // namespace
 
-std::uint32_t merge_fragments(std::vector<WallLine>& lines, const MergeOptions& options) {
+std::uint32_t merge_fragments(std::vector<WallLine>& lines, const Picture& picture,
+                              const MergeOptions& options) {
   sort_longest_first(lines);
-  std::uint32_t vanished = join_touching(lines, options);
+  std::uint32_t vanished = join_touching(lines, picture, options);
   sort_longest_first(lines);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t j = i + 1; j < lines.size();) {
@@ -134,7 +138,7 @@ std::uint32_t merge_fragments(std::vector<WallLine>& lines, const MergeOptions& 
   return vanished;
 }
 
-std::vector<std::vector<std::size_t>> group_collinear(std::vector<WallLine>& lines,
+std::vector<std::vector<std::size_t>> group_collinear(std::vector<WallLine>& lines, const Picture& picture,
                                                       const MergeOptions& options) {
   sort_longest_first(lines);
   std::vector<std::vector<std::size_t>> groups;
@@ -144,8 +148,7 @@ std::vector<std::vector<std::size_t>> group_collinear(std::vector<WallLine>& lin
     double best_distance = options.gate;
     for (std::size_t g = 0; g < groups.size(); ++g) {
       if (!near(common[g], lines[i], options.max_angle, options.max_offset)) continue;
-      const double distance =
-          line_chi_square(with_floor(common[g], options.floor), with_floor(lines[i], options.floor));
+      const double distance = line_chi_square(with_floor(common[g], picture), with_floor(lines[i], picture));
       if (distance < best_distance) {
         best = g;
         best_distance = distance;

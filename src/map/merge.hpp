@@ -5,13 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "map/picture.hpp"
 #include "map/wall_line.hpp"
-#include "straightedge/line_fit.hpp"
 
 namespace straightedge {
 
 struct MergeOptions {
-  LineFloor floor;
   double gate = 9.21;       ///< chi-square, 2 degrees of freedom, 99 %
   double max_angle = 0.07;  ///< radians; long uncertain lines would accept anything
   double max_offset = 1.5;  ///< pixels, at the nearer ends
@@ -25,12 +24,13 @@ struct MergeOptions {
 /// 2. Of two that overlap, nearly parallel and nearly in one place, but fail the test (a bent wall), the
 ///    shorter one keeps only what the longer one leaves over.
 /// Returns how many segments vanished.
-std::uint32_t merge_fragments(std::vector<WallLine>& lines, const MergeOptions& options);
+std::uint32_t merge_fragments(std::vector<WallLine>& lines, const Picture& picture,
+                              const MergeOptions& options);
 
 /// Segments that continue one another on one infinite line (a wall and its door openings): indices into
 /// `lines`, longest first. Each group passes the chi-square test as it grows and shares one fit, which is
 /// written back to its members.
-std::vector<std::vector<std::size_t>> group_collinear(std::vector<WallLine>& lines,
+std::vector<std::vector<std::size_t>> group_collinear(std::vector<WallLine>& lines, const Picture& picture,
                                                       const MergeOptions& options);
 
 }  // namespace straightedge

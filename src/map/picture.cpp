@@ -16,11 +16,10 @@ using Histogram = std::array<std::int64_t, 256>;
 // ROS's usual threshold: what is darker than 35 % of white is wall. Ground is never that dark.
 constexpr int darkest_ground = 90;
 // A level is ground when this share of all pixels lies around it.
-constexpr double ground_share = 0.02;
+constexpr double ground_share = 0.06;
 constexpr int level_reach = 12;
 constexpr int even_reach = 20;
 constexpr std::int32_t block = 4;
-constexpr int block_contrast = 110;
 // A lone dark pixel is darker than all its neighbours by this much; specks lie evenly when a tenth of all
 // places has at least this share of the usual number.
 constexpr int lone_contrast = 80;
@@ -35,22 +34,21 @@ Histogram histogram_of(GrayView gray) {
   return histogram;
 }
 
-/// Histogram of the means of 4x4 blocks, scaled to the number of pixels: noise averages out, even areas stay.
-/// Blocks with a wall's edge in them are left out.
+/// Histogram of the medians of 4x4 blocks, scaled to the number of pixels: grain and specks vanish, edges do
+/// not make levels of their own, even areas stay.
 Histogram block_histogram(GrayView gray) {
   Histogram histogram{};
   const std::int32_t side_x = std::min(block, gray.width), side_y = std::min(block, gray.height);
+  const std::int32_t area = side_x * side_y;
+  std::array<std::uint8_t, block * block> values{};
   for (std::int32_t y = 0; y + side_y <= gray.height; y += side_y) {
     for (std::int32_t x = 0; x + side_x <= gray.width; x += side_x) {
-      int sum = 0, darkest = 255, lightest = 0;
-      for (std::int32_t k = 0; k < side_x * side_y; ++k) {
-        const int v = gray.at(x + k % side_x, y + k / side_x);
-        sum += v;
-        darkest = std::min(darkest, v);
-        lightest = std::max(lightest, v);
+      for (std::int32_t k = 0; k < area; ++k) {
+        values[static_cast<std::size_t>(k)] = gray.at(x + k % side_x, y + k / side_x);
       }
-      if (lightest - darkest > block_contrast) continue;
-      histogram[static_cast<std::size_t>(sum / (side_x * side_y))] += side_x * side_y;
+      const auto middle = values.begin() + area / 2;
+      std::nth_element(values.begin(), middle, values.begin() + area);
+      histogram[*middle] += area;
     }
   }
   return histogram;
