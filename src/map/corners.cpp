@@ -3,6 +3,10 @@
 #include "map/corners.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "map/line_grid.hpp"
 
 namespace straightedge {
 namespace {
@@ -24,21 +28,18 @@ bool cross(const WallLine& a, const WallLine& b, Crossing& at) {
 }
 
 /// The place on `line` nearest to its end at `s` where another segment crosses it.
-double snapped(const WallLine& line, double s, const std::vector<WallLine>& lines,
-               const std::vector<WallLine>& helpers, double reach) {
-  double best = reach;
+double snapped(const WallLine& line, double s, const std::vector<const WallLine*>& others, double reach) {
+  double best = 2 * reach;
   double place = s;
-  for (const std::vector<WallLine>* set : {&lines, &helpers}) {
-    for (const WallLine& other : *set) {
-      Crossing at;
-      if (&other == &line || !cross(line, other, at)) continue;
-      const double own = line.axis || other.axis ? reach + 0.5 * other.width : reach;
-      if (at.on_b < other.begin - own || at.on_b > other.end + own) continue;
-      const double way = std::fabs(at.on_a - s);
-      if (way > own || way >= best + 0.5 * other.width) continue;
-      best = way;
-      place = at.on_a;
-    }
+  for (const WallLine* other : others) {
+    Crossing at;
+    if (!cross(line, *other, at)) continue;
+    const double own = reach + 0.5 * other->width;
+    if (at.on_b < other->begin - own || at.on_b > other->end + own) continue;
+    const double way = std::fabs(at.on_a - s);
+    if (way > own || way >= best) continue;
+    best = way;
+    place = at.on_a;
   }
   return place;
 }
@@ -46,15 +47,23 @@ double snapped(const WallLine& line, double s, const std::vector<WallLine>& line
 }  // namespace
 
 void close_corners(std::vector<WallLine>& lines, const std::vector<WallLine>& helpers, double reach) {
+  constexpr double widest = 10;  // half the width of a thin wall, with room
+  const LineGrid near_lines(lines, reach + widest);
+  const LineGrid near_helpers(helpers, reach + widest);
   std::vector<WallLine> closed = lines;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const double begin = snapped(lines[i], lines[i].begin, lines, helpers, reach);
-    const double end = snapped(lines[i], lines[i].end, lines, helpers, reach);
+    std::vector<const WallLine*> others;
+    for (const std::size_t j : near_lines.near(lines[i])) {
+      if (j != i) others.push_back(&lines[j]);
+    }
+    for (const std::size_t j : near_helpers.near(lines[i])) others.push_back(&helpers[j]);
+    const double begin = snapped(lines[i], lines[i].begin, others, reach);
+    const double end = snapped(lines[i], lines[i].end, others, reach);
     if (end - begin < 0.5 * lines[i].length()) continue;
     closed[i].begin = begin;
     closed[i].end = end;
   }
-  lines = closed;
+  lines = std::move(closed);
 }
 
 }  // namespace straightedge

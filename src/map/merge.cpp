@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "map/line_floor.hpp"
+#include "map/line_grid.hpp"
 
 namespace straightedge {
 namespace {
@@ -96,46 +97,49 @@ void sort_longest_first(std::vector<WallLine>& lines) {
                    [](const WallLine& a, const WallLine& b) { return a.length() > b.length(); });
 }
 
-/// Step 1, until nothing changes.
-std::uint32_t join_touching(std::vector<WallLine>& lines, const Picture& picture,
-                            const MergeOptions& options) {
-  std::uint32_t joined = 0;
+/// Step 1. Lines that were absorbed get length zero.
+void join_touching(std::vector<WallLine>& lines, const Picture& picture, const MergeOptions& options) {
+  const LineGrid grid(lines, options.touching + options.max_offset);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (std::size_t j = i + 1; j < lines.size();) {
-      const Span other = span_on(lines[i], lines[j]);
-      const bool touch =
-          other.begin <= lines[i].end + options.touching && other.end >= lines[i].begin - options.touching;
-      if (!touch || !same_line(lines[i], lines[j], picture, options)) {
-        ++j;
-        continue;
+    bool grown = lines[i].length() > 0;
+    while (grown) {
+      grown = false;
+      for (const std::size_t j : grid.near(lines[i])) {
+        if (j <= i || !(lines[j].length() > 0)) continue;
+        const Span other = span_on(lines[i], lines[j]);
+        if (other.begin > lines[i].end + options.touching || other.end < lines[i].begin - options.touching)
+          continue;
+        if (!same_line(lines[i], lines[j], picture, options)) continue;
+        absorb(lines[i], lines[j]);
+        lines[j].end = lines[j].begin;
+        grown = true;
       }
-      absorb(lines[i], lines[j]);
-      lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(j));
-      ++joined;
-      j = i + 1;
     }
   }
-  return joined;
+}
+
+void drop_empty(std::vector<WallLine>& lines) {
+  std::erase_if(lines, [](const WallLine& line) { return !(line.length() > 0); });
 }
 
 }  // namespace
 
 std::uint32_t merge_fragments(std::vector<WallLine>& lines, const Picture& picture,
                               const MergeOptions& options) {
+  const std::size_t before = lines.size();
   sort_longest_first(lines);
-  std::uint32_t vanished = join_touching(lines, picture, options);
+  join_touching(lines, picture, options);
+  drop_empty(lines);
   sort_longest_first(lines);
+  const LineGrid grid(lines, same_place);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (std::size_t j = i + 1; j < lines.size();) {
-      if (trim(lines[i], lines[j])) {
-        lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(j));
-        ++vanished;
-      } else {
-        ++j;
-      }
+    for (const std::size_t j : grid.near(lines[i])) {
+      if (j <= i || !(lines[i].length() > 0) || !(lines[j].length() > 0)) continue;
+      if (trim(lines[i], lines[j])) lines[j].end = lines[j].begin;
     }
   }
-  return vanished;
+  drop_empty(lines);
+  return static_cast<std::uint32_t>(before - lines.size());
 }
 
 std::vector<std::vector<std::size_t>> group_collinear(std::vector<WallLine>& lines, const Picture& picture,

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
+#include <utility>
 
+#include "map/line_grid.hpp"
 #include "map/sample.hpp"
 
 namespace straightedge {
@@ -67,37 +68,6 @@ void add_side(const WallLine& side, double move, double about_x, double about_y,
   sums.add(side.moments.seen_from(ox, oy));
 }
 
-/// Step 3.
-WallLine axis_of(const WallLine& a, const std::vector<const WallLine*>& sides, double distance,
-                 double width) {
-  WallLine axis = a;
-  LineMoments sums;
-  add_side(a, -0.5 * distance, a.origin_x, a.origin_y, sums);
-  const double facing_x = a.nx, facing_y = a.ny;
-  for (const WallLine* b : sides) {
-    add_side(*b, -0.5 * distance, a.origin_x, a.origin_y, sums);
-    axis.pixels += b->pixels;
-    axis.votes += b->votes;
-    axis.count += b->count;
-  }
-  double begin = a.begin, end = a.end;
-  for (const WallLine* b : sides) {
-    for (const double s : {b->begin, b->end}) {
-      const double t = a.along(b->x_at(s), b->y_at(s));
-      begin = std::min(begin, t);
-      end = std::max(end, t);
-    }
-  }
-  axis.begin = begin;
-  axis.end = end;
-  axis.fit.centroid_x -= 0.5 * distance * facing_x;
-  axis.fit.centroid_y -= 0.5 * distance * facing_y;
-  axis.adopt(sums, a.origin_x, a.origin_y);
-  axis.axis = true;
-  axis.width = width;
-  return axis;
-}
-
 /// The part of a face that an axis does not stand for, if there is one worth keeping: the longer end.
 bool left_over(const WallLine& axis, WallLine& face) {
   const double s0 = face.along(axis.x_at(axis.begin), axis.y_at(axis.begin));
@@ -113,59 +83,102 @@ bool left_over(const WallLine& axis, WallLine& face) {
   return true;
 }
 
+/// The sides of one wall that lie opposite to an edge, and what was measured on them.
+struct Opposites {
+  std::vector<std::size_t> sides;
+  double distance = 0;  ///< means, weighted by the common length
+  double width = 0;
+  double length = 0;  ///< of the wall that has two sides
+};
+
+Opposites find_opposites(const std::vector<WallLine>& lines, std::size_t i, const LineGrid& grid,
+                         const std::vector<bool>& used, GrayView picture, double max_width) {
+  Opposites found;
+  for (const std::size_t j : grid.near(lines[i])) {
+    if (j == i || used[j] || !opposite(lines[i], lines[j], max_width + blur_spread)) continue;
+    const Overlap both = beside(lines[i], lines[j]);
+    const double distance =
+        0.5 * (dark_distance(lines[i], lines[j], both.begin) + dark_distance(lines[i], lines[j], both.end));
+    const double width = wall_width(picture, lines[i], both, distance);
+    if (width > max_width) continue;
+    found.sides.push_back(j);
+    found.distance += distance * both.length();
+    found.width += width * both.length();
+    found.length += both.length();
+  }
+  if (found.length > 0) {
+    found.distance /= found.length;
+    found.width /= found.length;
+  }
+  return found;
+}
+
+/// Step 3.
+WallLine axis_of(const std::vector<WallLine>& lines, std::size_t i, const Opposites& found) {
+  const WallLine& a = lines[i];
+  const double half = 0.5 * found.distance;
+  WallLine axis = a;
+  LineMoments sums;
+  add_side(a, -half, a.origin_x, a.origin_y, sums);
+  for (const std::size_t j : found.sides) {
+    const WallLine& b = lines[j];
+    add_side(b, -half, a.origin_x, a.origin_y, sums);
+    axis.pixels += b.pixels;
+    axis.votes += b.votes;
+    axis.count += b.count;
+    for (const double s : {b.begin, b.end}) {
+      const double t = a.along(b.x_at(s), b.y_at(s));
+      axis.begin = std::min(axis.begin, t);
+      axis.end = std::max(axis.end, t);
+    }
+  }
+  axis.fit.centroid_x -= half * a.nx;
+  axis.fit.centroid_y -= half * a.ny;
+  axis.adopt(sums, a.origin_x, a.origin_y);
+  axis.axis = true;
+  axis.width = found.width;
+  return axis;
+}
+
+/// Whether an axis stands for the face, so that nothing is left of it; what an axis leaves is cut off.
+bool is_absorbed(const std::vector<WallLine>& axes, const LineGrid& grid, WallLine& face,
+                 double max_distance) {
+  for (const std::size_t k : grid.near(face)) {
+    const WallLine& axis = axes[k];
+    const double facing = face.nx * axis.nx + face.ny * axis.ny;
+    if (facing * facing < cos_parallel * cos_parallel) continue;
+    if (beside(axis, face).length() < 0.5 * face.length()) continue;
+    const double middle = 0.5 * (face.begin + face.end);
+    const double off = axis.across(face.x_at(middle), face.y_at(middle));
+    if (off * off <= 0.25 * max_distance * max_distance && !left_over(axis, face)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::uint32_t join_thin_walls(std::vector<WallLine>& lines, GrayView picture, double max_width) {
-  std::vector<std::size_t> order(lines.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return lines[a].length() > lines[b].length(); });
-  std::vector<bool> used(lines.size(), false);
-  std::vector<WallLine> out;
   const double max_distance = max_width + blur_spread;
-  for (const std::size_t i : order) {
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const WallLine& a, const WallLine& b) { return a.length() > b.length(); });
+  const LineGrid grid(lines, max_distance);
+  std::vector<bool> used(lines.size(), false);
+  std::vector<WallLine> axes;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
     if (used[i]) continue;
-    const WallLine& a = lines[i];
-    std::vector<const WallLine*> sides;
-    std::vector<std::size_t> taken;
-    double distance_sum = 0, width_sum = 0, length_sum = 0;
-    for (const std::size_t j : order) {
-      if (j == i || used[j] || !opposite(a, lines[j], max_distance)) continue;
-      const Overlap both = beside(a, lines[j]);
-      const double distance =
-          0.5 * (dark_distance(a, lines[j], both.begin) + dark_distance(a, lines[j], both.end));
-      const double width = wall_width(picture, a, both, distance);
-      if (width > max_width) continue;
-      sides.push_back(&lines[j]);
-      taken.push_back(j);
-      distance_sum += distance * both.length();
-      width_sum += width * both.length();
-      length_sum += both.length();
-    }
-    if (sides.empty() || length_sum < 0.3 * a.length()) continue;
+    const Opposites found = find_opposites(lines, i, grid, used, picture, max_width);  // Steps 1 and 2
+    if (found.length < 0.3 * lines[i].length() || found.sides.empty()) continue;
     used[i] = true;
-    for (const std::size_t j : taken) used[j] = true;
-    out.push_back(axis_of(a, sides, distance_sum / length_sum, width_sum / length_sum));
+    for (const std::size_t j : found.sides) used[j] = true;
+    axes.push_back(axis_of(lines, i, found));  // Step 3
   }
-  const auto axes = static_cast<std::uint32_t>(out.size());
-  for (const std::size_t i : order) {
-    if (used[i]) continue;
-    bool inside = false;
-    for (std::size_t k = 0; k < axes && !inside; ++k) {
-      const WallLine& axis = out[k];
-      const double facing = lines[i].nx * axis.nx + lines[i].ny * axis.ny;
-      if (facing * facing < cos_parallel * cos_parallel) continue;
-      const Overlap both = beside(axis, lines[i]);
-      if (both.length() < 0.5 * lines[i].length()) continue;
-      const double s = 0.5 * (lines[i].begin + lines[i].end);
-      const double off = axis.across(lines[i].x_at(s), lines[i].y_at(s));
-      if (off * off > max_distance * max_distance / 4) continue;
-      inside = !left_over(axis, lines[i]);
-    }
-    if (!inside) out.push_back(lines[i]);
+  const LineGrid axis_grid(axes, max_distance);
+  std::vector<WallLine> out = axes;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!used[i] && !is_absorbed(axes, axis_grid, lines[i], max_distance)) out.push_back(lines[i]);
   }
   lines = std::move(out);
-  return axes;
+  return static_cast<std::uint32_t>(axes.size());
 }
 
 }  // namespace straightedge
