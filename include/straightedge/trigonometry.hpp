@@ -63,17 +63,26 @@ constexpr SineCosine sine_cosine(double x) noexcept {
   const double c = detail::cosine_near_zero(r);
   // Step 3.
   switch (n & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
   }
 }
 
-constexpr double sine(double x) noexcept { return sine_cosine(x).sine; }
-constexpr double cosine(double x) noexcept { return sine_cosine(x).cosine; }
+constexpr double sine(double x) noexcept {
+  return sine_cosine(x).sine;
+}
+constexpr double cosine(double x) noexcept {
+  return sine_cosine(x).cosine;
+}
 
-/// The angle of the vector (x, y), in (−pi, pi]; 0 for the null vector.
+/// The angle of the vector (x, y), in (−pi, pi]; 0 for the null vector. NaN gives NaN, and so do two
+/// infinities.
 constexpr double arc_tangent(double y, double x) noexcept {
   constexpr double eighths[] = {0.0,
                                 0.12435499454676144,
@@ -90,6 +99,7 @@ constexpr double arc_tangent(double y, double x) noexcept {
   // Step 1.
   const bool steep = ay > ax;
   const double t = steep ? ax / ay : ay / ax;
+  if (!(t >= 0 && t <= 1)) return x - x + (y - y);  // NaN, or both infinite
   const int k = static_cast<int>(t * 8 + 0.5);
   const double c = k / 8.0;
   const double u = (t - c) / (1 + t * c);

@@ -5,6 +5,12 @@
 #include "straightedge/trigonometry.hpp"
 
 namespace straightedge {
+namespace {
+
+// Less scatter than this, relative to the sums it is the difference of, is rounding.
+constexpr double rounding = 1e-12;
+
+}  // namespace
 
 Status fit_line(const LineMoments& moments, LineFit& fit) noexcept {
   if (!(moments.weight > 0) || !(moments.count >= 2)) return Status::invalid_option;
@@ -15,15 +21,19 @@ Status fit_line(const LineMoments& moments, LineFit& fit) noexcept {
   const double a = moments.xx - moments.x * mx;
   const double b = moments.xy - moments.x * my;
   const double c = moments.yy - moments.y * my;
-  // Step 3.
-  const double theta = 0.5 * arc_tangent(-2 * b, c - a);
+  if (!(a + c > rounding * (moments.xx + moments.yy)) || !(a + c < 1e300) || !(b - b == 0)) {
+    return Status::invalid_option;
+  }
+  // Step 3. Half of −pi is the same line as half of pi.
+  const double half = 0.5 * arc_tangent(-2 * b, c - a);
+  const double theta = half <= -pi / 2 ? pi / 2 : half;
   const SineCosine normal = sine_cosine(theta);
   // Step 4.
   const double nx = normal.cosine;
   const double ny = normal.sine;
   const double across = nx * nx * a + 2 * nx * ny * b + ny * ny * c;
   const double along = a + c - across;
-  if (!(along > 0) || !(along < 1e300)) return Status::invalid_option;
+  if (!(along > 0)) return Status::invalid_option;
   fit.theta = theta;
   fit.normal_x = nx;
   fit.normal_y = ny;

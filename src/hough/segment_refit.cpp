@@ -199,8 +199,9 @@ std::uint32_t claim_pixels(ImageView<std::uint8_t> mask, const GradientField& fi
   const double at = strip.steep() ? strip.py : strip.px;
   const double a = at + from * direction;
   const double b = at + to * direction;
-  const auto first = static_cast<std::int32_t>(a < b ? a : b) - 1;
-  const auto last = static_cast<std::int32_t>(a < b ? b : a) + 1;
+  // The corners of the rectangle reach beyond its axis.
+  const auto first = static_cast<std::int32_t>((a < b ? a : b) - corridor) - 1;
+  const auto last = static_cast<std::int32_t>((a < b ? b : a) + corridor) + 1;
   std::uint32_t claimed = 0;
   for (std::int32_t k = first; k <= last; ++k) {
     visit_step(mask, strip, k, [&](std::int32_t x, std::int32_t y) noexcept {

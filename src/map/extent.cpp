@@ -123,6 +123,20 @@ double crossing(const Track& track, std::size_t inside, std::ptrdiff_t direction
   return track.at(inside) + static_cast<double>(direction) * step * share;
 }
 
+/// Cuts off what lies outside the picture, whose square reaches half a pixel beyond the outer pixels'
+/// centres.
+void clip(Size picture, WallLine& line) {
+  const auto cut = [&](double start, double slope, double most) {
+    if (slope == 0) return;
+    const double s0 = (-0.5 - start) / slope;
+    const double s1 = (most - 0.5 - start) / slope;
+    line.begin = std::max(line.begin, std::min(s0, s1));
+    line.end = std::min(line.end, std::max(s0, s1));
+  };
+  cut(line.fit.centroid_x, line.tx(), picture.width);
+  cut(line.fit.centroid_y, line.ty(), picture.height);
+}
+
 double darkest_across(GrayView gray, const WallLine& line, double s) {
   double darkest = 255;
   const double from = line.axis ? -2.5 : -face_depth - 0.5;
@@ -161,6 +175,7 @@ std::vector<WallLine> measure_extents(const std::vector<WallLine>& lines, const 
       WallLine part = line;
       part.begin = crossing(track, piece.first, -1);
       part.end = crossing(track, piece.last, 1);
+      clip(blurred.size(), part);
       const double common = std::min(part.end, line.end) - std::max(part.begin, line.begin);
       if (!(part.length() > 0) || common < 0.5 * part.length()) continue;
       part.pixels = static_cast<std::uint32_t>(line.pixels * std::min(1.0, common / line.length()) + 0.5);

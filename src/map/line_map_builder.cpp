@@ -28,6 +28,10 @@ bool valid(const LineMapOptions& o) {
          o.max_wall_width >= 0 && o.max_wall_width <= 50 && o.furniture_size >= 0 && o.furniture_size <= 1e6;
 }
 
+bool valid(const RosMeaning& m) {
+  return m.free_thresh >= 0 && m.free_thresh <= m.occupied_thresh && m.occupied_thresh <= 1;
+}
+
 Failure failure_of(const char* stage, Status status) {
   const bool option = status == Status::invalid_option || status == Status::too_large;
   return {option ? Problem::bad_option : Problem::internal, std::string(stage) + ": " + to_string(status)};
@@ -96,8 +100,9 @@ std::vector<std::vector<std::size_t>> long_enough(const std::vector<WallLine>& l
 }  // namespace
 
 Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options) {
-  if (!gray.valid()) return failure_of("the picture", Status::invalid_image);
-  if (!valid(options)) return failure_of("the line map's options", Status::invalid_option);
+  if (!gray.valid()) return Failure{Problem::bad_content, "the picture has no pixels"};
+  if (!valid(options) || (options.meaning && !valid(*options.meaning)))
+    return failure_of("the line map's options", Status::invalid_option);
   LineMapResult out;
   LineMapReport& report = out.report;
   // Step 1: what the picture shows.
