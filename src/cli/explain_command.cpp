@@ -45,9 +45,9 @@ Result<Done> explain(const ExplainArguments& arguments, const MapSource& source,
                            HoughLines::workspace_bytes(gray.size(), options.hough);
   if (auto fits = check_memory(source.picture, work + 40 * pixels); !fits) return fits;
   const Progress progress(source.picture.string() + ": explaining", arguments.common.quiet);
-  const auto done =
-      explain_image(gray, {.lines = options, .input = base_name(source.picture), .version = version_text()},
-                    arguments.folder);
+  const auto done = explain_image(
+      gray, {.lines = options, .input = base_name(source.picture), .version = STRAIGHTEDGE_VERSION},
+      arguments.folder);
   // Sentences about outputs name their file themselves.
   if (done || done.failure().problem == Problem::cannot_write) return done;
   return Failure{done.failure().problem, source.picture.string() + ": " + done.failure().sentence};
