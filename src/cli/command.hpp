@@ -25,6 +25,7 @@ struct Command {
 };
 
 Command add_edges_command(CLI::App& program);
+Command add_explain_command(CLI::App& program);
 Command add_hough_command(CLI::App& program);
 Command add_lines_command(CLI::App& program);
 Command add_show_command(CLI::App& program);

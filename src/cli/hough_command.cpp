@@ -6,11 +6,11 @@
 
 #include "cli/command.hpp"
 #include "cli/hough_arguments.hpp"
-#include "cli/hough_run.hpp"
 #include "cli/outputs.hpp"
 #include "cli/picture_input.hpp"
 #include "cli/program.hpp"
 #include "cli/progress.hpp"
+#include "cli/raw_lines.hpp"
 #include "cli/streams.hpp"
 #include "io/number_text.hpp"
 
@@ -24,11 +24,11 @@ struct RawHoughArguments {
   std::string csv;
 };
 
-std::size_t count_of(const HoughFound& found) {
+std::size_t count_of(const RawLines& found) {
   return found.peaks.size() + found.segments.size();
 }
 
-std::string json_of(const std::filesystem::path& file, Size size, const HoughFound& found,
+std::string json_of(const std::filesystem::path& file, Size size, const RawLines& found,
                     const HoughOptions& options) {
   const bool standard = options.method == HoughMethod::standard;
   const nlohmann::ordered_json numbers = {{"program", version_text()},
@@ -46,7 +46,7 @@ std::string json_of(const std::filesystem::path& file, Size size, const HoughFou
   return numbers.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string summary(const std::filesystem::path& file, const HoughFound& found, const HoughOptions& options) {
+std::string summary(const std::filesystem::path& file, const RawLines& found, const HoughOptions& options) {
   const bool standard = options.method == HoughMethod::standard;
   std::string words = file.string() + ": " + io::to_text(found.result.edge_pixels) + " edge pixels, " +
                       io::to_text(count_of(found)) + (standard ? " lines" : " segments") + " by the " +
@@ -68,7 +68,7 @@ Result<Done> run(const RawHoughArguments& arguments) {
   if (!edges) return edges.failure();
   const auto found = [&] {
     const Progress progress(file.string() + ": finding lines", arguments.common.quiet);
-    return find_hough_lines(file, *edges, options);
+    return find_raw_lines(file, *edges, options);
   }();
   if (!found) return found.failure();
   if (!outputs.empty()) outputs[0].bytes = csv_of(*found, options.method);

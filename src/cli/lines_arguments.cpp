@@ -2,24 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/lines_arguments.hpp"
 
-#include <algorithm>
-#include <filesystem>
-
-#include "cli/hough_arguments.hpp"
+#include "cli/map_source.hpp"
 #include "cli/number_option.hpp"
-#include "io/number_text.hpp"
-#include "straightedge/host/ros_map.hpp"
 #include "straightedge/trigonometry.hpp"
 
 namespace straightedge::cli {
 namespace {
 
 constexpr double max_yaw_degrees = 360;
-
-const char* name_of(PictureKind kind) {
-  if (kind == PictureKind::automatic) return "auto";
-  return kind == PictureKind::map ? "map" : "photo";
-}
 
 }  // namespace
 
@@ -31,8 +21,7 @@ void LinesArguments::add_to(CLI::App& command) {
       ->required();
   add_outputs(command);
   add_map(command);
-  add_detection(command);
-  canny.add_to(command);
+  detection.add_to(command);
 }
 
 void LinesArguments::add_outputs(CLI::App& command) {
@@ -78,32 +67,6 @@ void LinesArguments::add_map(CLI::App& command) {
       ->type_name("TEXT");
 }
 
-void LinesArguments::add_detection(CLI::App& command) {
-  LineMapOptions& o = map;
-  add_choice<PictureKind>(
-      command, "--picture", o.picture,
-      {{"auto", PictureKind::automatic}, {"map", PictureKind::map}, {"photo", PictureKind::photo}},
-      "in a map what is dark is wall, in a photo every edge is a line");
-  add_method(command, o.hough.method);
-  add_real(command, "--min-length", o.min_length, {3, 1e6}, "PX", "shorter segments are dropped");
-  add_real(command, "--max-gap", o.max_gap, {0, 1e6}, "PX", "a hole in a wall up to this long is bridged");
-  add_real(command, "--max-wall-width", o.max_wall_width, {0, 50}, "PX",
-           "thinner walls become one axis, thicker ones keep both faces");
-  add_real(command, "--furniture-size", o.furniture_size, {0, 1e6}, "PX",
-           "things that stand alone and are no larger are dropped");
-  add_degrees(command, "--window", o.hough.gradient_window, {0, 180},
-              "a pixel votes for lines within this angle of its own direction, 0 = for all");
-  add_whole(command, "--threshold", o.hough.threshold, {1, 2147483647}, "VOTES",
-            "of edge pixels that make a line");
-}
-
-bool LinesArguments::is_ros_map() const {
-  std::string ending = std::filesystem::path(input).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
-  return ending == ".yaml" || ending == ".yml";
-}
-
 std::vector<Output> LinesArguments::outputs() const {
   std::vector<Output> outputs = {{"--output", xml, ".xml", {}}};
   if (!svg.empty()) outputs.push_back({"--svg", svg, ".svg", {}});
@@ -116,11 +79,12 @@ Result<Done> LinesArguments::check() const {
   const auto refuse = [this](const std::string& sentence) {
     return Failure{Problem::bad_option, input + ": " + sentence};
   };
-  if (is_ros_map()) {
+  if (is_ros_map(input)) {
     if (has_placement() || origin->count() > 0)
       return refuse("the map's YAML says resolution and origin; leave --resolution and --origin out");
     if (negate) return refuse("the map's YAML says negate; leave --negate out");
-    if (map.picture == PictureKind::photo) return refuse("a ROS map is no photo; leave --picture out");
+    if (detection.picture() == PictureKind::photo)
+      return refuse("a ROS map is no photo; leave --picture out");
     return Done{};
   }
   if (origin->count() > 0 && !has_placement()) return refuse("--origin needs --resolution");
@@ -130,25 +94,7 @@ Result<Done> LinesArguments::check() const {
 
 Result<LineMapOptions> LinesArguments::options() const {
   if (auto fine = check(); !fine) return fine.failure();
-  const auto edges = canny.options();
-  if (!edges) return edges.failure();
-  LineMapOptions options = map;
-  options.canny = *edges;
-  options.hough.seed = common.seed;
-  // Shorter segments can only come out when shorter ones are looked for.
-  options.hough.min_length = std::min(options.hough.min_length, options.min_length);
-  return options;
-}
-
-std::string words_of(const LineMapOptions& o) {
-  const auto number = [](const char* name, auto value) {
-    return std::string(", ") + name + " " + io::to_text(value);
-  };
-  return "method " + name_of(o.hough.method) + ", seed " + io::to_text(o.hough.seed) + ", picture " +
-         name_of(o.picture) + number("min-length", o.min_length) + number("max-gap", o.max_gap) +
-         number("max-wall-width", o.max_wall_width) + number("furniture-size", o.furniture_size) +
-         number("window", o.hough.gradient_window * (180 / pi)) + " degrees" +
-         number("threshold", o.hough.threshold) + ", " + words_of(o.canny);
+  return detection.options(common.seed);
 }
 
 }  // namespace straightedge::cli

@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/canny_arguments.hpp"
 #include "cli/command.hpp"
+#include "cli/detection_arguments.hpp"
 #include "cli/outputs.hpp"
-#include "straightedge/host/line_map_builder.hpp"
 
 namespace straightedge::cli {
 
@@ -16,8 +15,7 @@ namespace straightedge::cli {
 struct LinesArguments {
   CommonArguments common;
   std::string input;
-  LineMapOptions map;  ///< all but what `canny` and `common` know
-  CannyArguments canny{LineMapOptions{}.canny};
+  DetectionArguments detection;
   bool negate = false;
   bool metres = false;
   MapPlacement placement;
@@ -25,8 +23,6 @@ struct LinesArguments {
 
   void add_to(CLI::App& command);
 
-  /// The input is the YAML file of a ROS map.
-  bool is_ros_map() const;
   /// --resolution was given.
   bool has_placement() const { return resolution->count() > 0; }
   /// All files that were asked for: the map, then --svg, --png, --csv.
@@ -37,15 +33,11 @@ struct LinesArguments {
  private:
   void add_outputs(CLI::App& command);
   void add_map(CLI::App& command);
-  void add_detection(CLI::App& command);
   Result<Done> check() const;
 
   std::string xml, svg, png, csv;
   CLI::Option* resolution = nullptr;
   CLI::Option* origin = nullptr;
 };
-
-/// The effective options in words, seed included.
-std::string words_of(const LineMapOptions& options);
 
 }  // namespace straightedge::cli

@@ -8,6 +8,7 @@
 #include "cli/hough_arguments.hpp"
 #include "cli/lines_arguments.hpp"
 #include "cli/lines_report.hpp"
+#include "cli/map_source.hpp"
 #include "cli/picture_input.hpp"
 #include "cli/png_text.hpp"
 #include "cli/program.hpp"
@@ -17,29 +18,12 @@
 #include "straightedge/host/draw.hpp"
 #include "straightedge/host/image_file.hpp"
 #include "straightedge/host/map_file.hpp"
-#include "straightedge/host/ros_map.hpp"
 #include "straightedge/host/svg.hpp"
 
 namespace straightedge::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The picture to look at, and what else the input says.
-struct Source {
-  fs::path picture;
-  std::optional<MapPlacement> placement;
-  std::optional<RosMeaning> meaning;
-};
-
-Result<Source> find_source(const LinesArguments& arguments) {
-  Source source{.picture = input_path(arguments.input), .placement = {}, .meaning = {}};
-  if (arguments.has_placement()) source.placement = arguments.placement;
-  if (!arguments.is_ros_map()) return source;
-  const auto map = read_ros_map(arguments.input);
-  if (!map) return map.failure();
-  return Source{map->image, map->placement, map->meaning};
-}
 
 Image<std::uint8_t> negative(GrayView gray) {
   Image<std::uint8_t> turned(gray.size());
@@ -70,7 +54,7 @@ std::string time_now() {
   return text;
 }
 
-void describe(LineMap& map, const LinesArguments& arguments, const Source& source,
+void describe(LineMap& map, const LinesArguments& arguments, const MapSource& source,
               const LineMapOptions& options) {
   map.meta.name = arguments.name.empty() ? input_path(arguments.input).stem().string() : arguments.name;
   map.meta.description = arguments.description;
@@ -143,8 +127,9 @@ Result<LineMap> in_asked_unit(const LineMap& map, const fs::path& file, bool met
 Result<Done> run(const LinesArguments& arguments) {
   auto options = arguments.options();
   if (!options) return options.failure();
-  const auto source = find_source(arguments);
+  auto source = find_map_source(arguments.input);
   if (!source) return source.failure();
+  if (arguments.has_placement()) source->placement = arguments.placement;
   std::vector<Output> outputs = arguments.outputs();
   const fs::path input = input_path(arguments.input);
   if (auto fine = check_outputs(outputs, {input, source->picture}, arguments.common.json); !fine) return fine;

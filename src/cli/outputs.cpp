@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <system_error>
 
@@ -26,17 +25,11 @@ bool is_device(const std::string& path) {
   return path.starts_with("/dev/");
 }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
-  return text;
-}
-
 Result<Done> check_name(const Output& output) {
   if (output.path.empty())
     return Failure{Problem::bad_option, output.option + ": the name of the file is empty"};
   if (is_stream(output) || is_device(output.path)) return Done{};
-  if (lower(fs::path(output.path).extension().string()) == output.extension) return Done{};
+  if (lower_case(fs::path(output.path).extension().string()) == output.extension) return Done{};
   return Failure{Problem::bad_option, output.path + ": the name of the file for " + output.option +
                                           " must end in " + output.extension};
 }
@@ -64,6 +57,12 @@ Result<Done> check_folder(const Output& output) {
 }
 
 }  // namespace
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
+  return text;
+}
 
 Result<Done> check_outputs(std::span<const Output> outputs, const std::vector<fs::path>& inputs, bool json) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {

@@ -34,6 +34,9 @@ std::string names_of(std::span<const Output> outputs);
 /// The file to open for an argument; "-" is standard input.
 std::filesystem::path input_path(const std::string& argument);
 
+/// The letters A to Z made small, whatever the locale.
+std::string lower_case(std::string text);
+
 /// What files say about their input: no folders.
 std::string base_name(const std::filesystem::path& input);
 

@@ -5,10 +5,12 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>
+#include <memory>
 #include <new>
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/help_format.hpp"
 #include "cli/streams.hpp"
 
 namespace straightedge::cli {
@@ -34,9 +36,9 @@ int print(const std::string& text) {
 }
 
 int run_commands(CLI::App& program, int argument_count, char** arguments) {
-  const std::vector<Command> commands = {add_edges_command(program), add_hough_command(program),
-                                         add_lines_command(program), add_show_command(program),
-                                         add_validate_command(program)};
+  const std::vector<Command> commands = {add_edges_command(program),   add_hough_command(program),
+                                         add_explain_command(program), add_lines_command(program),
+                                         add_show_command(program),    add_validate_command(program)};
   try {
     program.parse(argument_count, arguments);
   } catch (const CLI::CallForHelp&) {
@@ -65,6 +67,7 @@ int run_program(int argument_count, char** arguments) try {
   std::signal(SIGPIPE, SIG_IGN);
   CLI::App program("Line maps from images.", "straightedge");
   program.set_version_flag("--version", version_text(), "print the version and leave");
+  program.formatter(std::make_shared<HelpFormat>());
   program.require_subcommand(1);
   program.footer(exit_codes_text);
   return run_commands(program, argument_count, arguments);

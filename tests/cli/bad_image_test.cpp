@@ -16,7 +16,8 @@ std::vector<std::vector<std::string>> readers_of(const std::string& picture, con
   return {{"edges", picture, "-o", (folder / "e.png").string()},
           {"hough", picture, "--csv", (folder / "h.csv").string()},
           {"lines", picture, "-o", (folder / "m.xml").string(), "--svg", (folder / "m.svg").string(), "--png",
-           (folder / "m.png").string(), "--csv", (folder / "m.csv").string()}};
+           (folder / "m.png").string(), "--csv", (folder / "m.csv").string()},
+          {"explain", picture, "-o", (folder / "explained").string()}};
 }
 
 void refused_everywhere(const std::string& picture, int code, const TemporaryFolder& folder) {

@@ -7,7 +7,7 @@
 
 namespace {
 
-const std::vector<std::string> commands = {"edges", "hough", "lines", "show", "validate"};
+const std::vector<std::string> commands = {"edges", "hough", "lines", "explain", "show", "validate"};
 
 struct HelpOption {
   std::string name;   ///< "--low"

@@ -3,6 +3,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
+
 #include "run_program.hpp"
 #include "straightedge/host/image_file.hpp"
 #include "straightedge/host/map_file.hpp"
@@ -144,4 +146,45 @@ TEST_CASE("strange names of files are names of files") {
     CHECK(read_line_map(room.at(name)));
   }
   refusal(run_program({"lines", room.at("no\nsuch.png"), "-o", room.at("m.xml")}), 3, "no?such.png");
+}
+
+TEST_CASE("an interrupted run leaves whole files or none") {
+  const TemporaryFolder folder;
+  const std::string picture = fixture("images/board.jpg");
+  const auto at = [&](const std::string& name) { return (folder / name).string(); };
+  int interrupted = 0;
+  for (int ms = 1; ms <= 120; ms += 3) {
+    const Run run =
+        run_program({"lines", picture, "-o", at("m.xml"), "--svg", at("m.svg"), "--png", at("m.png")},
+                    {.interrupt_after_ms = ms});
+    interrupted += run.code == -SIGINT ? 1 : 0;
+    CHECK((run.code == 0 || run.code == -SIGINT));
+    for (const std::string& name : names_in(folder)) {
+      INFO(name << " after " << ms << " ms");
+      CHECK((name == "m.xml" || name == "m.svg" || name == "m.png"));
+      if (name == "m.xml") CHECK(read_line_map(folder / name));
+      if (name == "m.png") CHECK(read_gray_image(folder / name));
+      if (name == "m.svg") CHECK(bytes_of(folder / name).find("</svg>") != std::string::npos);
+      std::filesystem::remove(folder / name);
+    }
+  }
+  CHECK(interrupted > 0);
+}
+
+TEST_CASE("explain makes a folder of its own, or none") {
+  const Room room;
+  const std::string folder = room.at("pages");
+  const Run run = run_program({"explain", room.picture, "-o", folder, "--quiet", "--json"});
+  INFO(run.err);
+  CHECK(run.code == 0);
+  CHECK(run.err.empty());
+  CHECK(run.out.find(folder + "/index.html") != std::string::npos);
+  const std::string page = bytes_of(folder + "/index.html");
+  CHECK(page.find("room.pgm") != std::string::npos);
+  CHECK(page.find("straightedge straightedge") == std::string::npos);
+  CHECK(page.find(room.folder.path().string()) == std::string::npos);
+  refusal(run_program({"explain", room.picture, "-o", room.picture}), 4, room.picture);
+  CHECK(run_program({"explain", room.picture, "-o", room.at("deep/pages")}).code == 0);
+  refusal(run_program({"explain", room.picture, "-o", ""}), 2, "--output");
+  CHECK(names_in(room.folder) == std::vector<std::string>{"deep", "pages", "room.pgm"});
 }

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 
 #include "support/catch.hpp"
@@ -48,6 +49,10 @@ Run run_program(const std::vector<std::string>& arguments, const RunSettings& se
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
   if (child == 0) become_program(words, settings, out, err);
+  if (settings.interrupt_after_ms > 0) {
+    ::usleep(static_cast<useconds_t>(settings.interrupt_after_ms) * 1000);
+    ::kill(child, SIGINT);
+  }
   int status = 0;
   REQUIRE(::waitpid(child, &status, 0) == child);
   Run run;

@@ -17,9 +17,10 @@ struct Run {
 
 struct RunSettings {
   std::string standard_input = {};   ///< file to read it from; empty: nothing is there
-  std::size_t address_space = 0;  ///< bytes the program may take; 0: as many as it wants
+  std::size_t address_space = 0;     ///< bytes the program may take; 0: as many as it wants
   std::string standard_output = {};  ///< file or device in place of what `Run::out` is read from
   std::string locale = {};           ///< LC_ALL
+  int interrupt_after_ms = 0;        ///< SIGINT, as Ctrl-C sends it; 0: never
 };
 
 Run run_program(const std::vector<std::string>& arguments, const RunSettings& settings = {});

@@ -11,17 +11,18 @@
 
 namespace straightedge::cli {
 
-struct HoughFound {
+struct RawLines {
   HoughResult result;
   std::vector<HoughPeak> peaks;        ///< standard
   std::vector<HoughSegment> segments;  ///< the other methods
 };
 
-/// The raw transform, with as much room for its output as it asks for. `file` is for the sentences.
-Result<HoughFound> find_hough_lines(const std::filesystem::path& file, GrayView edges,
-                                    const HoughOptions& options);
+/// The raw transform: lines alone in the standard method, whose end points nobody asks for. With as much room
+/// for its output as it asks for. `file` is for the sentences.
+Result<RawLines> find_raw_lines(const std::filesystem::path& file, GrayView edges,
+                                const HoughOptions& options);
 
 /// `rho,theta,votes` or `x0,y0,x1,y1,votes` under a row with these names, in the order of discovery.
-std::string csv_of(const HoughFound& found, HoughMethod method);
+std::string csv_of(const RawLines& found, HoughMethod method);
 
 }  // namespace straightedge::cli

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
-#include "cli/hough_run.hpp"
+#include "cli/raw_lines.hpp"
 
 #include <charconv>
 #include <cstddef>
@@ -35,8 +35,8 @@ std::string float_text(float value) {
 
 }  // namespace
 
-Result<HoughFound> find_hough_lines(const std::filesystem::path& file, GrayView edges,
-                                    const HoughOptions& options) {
+Result<RawLines> find_raw_lines(const std::filesystem::path& file, GrayView edges,
+                                const HoughOptions& options) {
   const HoughGrid grid = hough_grid(edges.size(), options);
   if (grid.status != Status::ok) return failure_of(file, grid.status);
   const std::size_t bytes = HoughLines::workspace_bytes(edges.size(), options);
@@ -45,7 +45,7 @@ Result<HoughFound> find_hough_lines(const std::filesystem::path& file, GrayView 
   HoughLines lines;
   const Status prepared = HoughLines::prepare(lines, edges.size(), options, {workspace.get(), bytes});
   if (prepared != Status::ok) return failure_of(file, prepared);
-  HoughFound found;
+  RawLines found;
   for (std::size_t room = first_room;; room *= 8) {
     const bool standard = options.method == HoughMethod::standard;
     found.peaks.resize(standard ? room : 0);
@@ -59,7 +59,7 @@ Result<HoughFound> find_hough_lines(const std::filesystem::path& file, GrayView 
   return found;
 }
 
-std::string csv_of(const HoughFound& found, HoughMethod method) {
+std::string csv_of(const RawLines& found, HoughMethod method) {
   const bool standard = method == HoughMethod::standard;
   std::string csv = standard ? "rho,theta,votes\n" : "x0,y0,x1,y1,votes\n";
   for (const HoughPeak& peak : found.peaks) {

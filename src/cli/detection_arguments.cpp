@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "cli/detection_arguments.hpp"
+
+#include <algorithm>
+
+#include "cli/hough_arguments.hpp"
+#include "cli/number_option.hpp"
+#include "io/number_text.hpp"
+#include "straightedge/trigonometry.hpp"
+
+namespace straightedge::cli {
+namespace {
+
+const char* name_of(PictureKind kind) {
+  if (kind == PictureKind::automatic) return "auto";
+  return kind == PictureKind::map ? "map" : "photo";
+}
+
+}  // namespace
+
+void DetectionArguments::add_to(CLI::App& command) {
+  LineMapOptions& o = given;
+  add_choice<PictureKind>(
+      command, "--picture", o.picture,
+      {{"auto", PictureKind::automatic}, {"map", PictureKind::map}, {"photo", PictureKind::photo}},
+      "in a map what is dark is wall, in a photo every edge is a line");
+  add_method(command, o.hough.method);
+  add_real(command, "--min-length", o.min_length, {3, 1e6}, "PX", "shorter segments are dropped");
+  add_real(command, "--max-gap", o.max_gap, {0, 1e6}, "PX", "a hole in a wall up to this long is bridged");
+  add_real(command, "--max-wall-width", o.max_wall_width, {0, 50}, "PX",
+           "thinner walls become one axis, thicker ones keep both faces");
+  add_real(command, "--furniture-size", o.furniture_size, {0, 1e6}, "PX",
+           "things that stand alone and are no larger are dropped");
+  add_degrees(command, "--window", o.hough.gradient_window, {0, 180},
+              "a pixel votes for lines within this angle of its own direction, 0 = for all");
+  add_whole(command, "--threshold", o.hough.threshold, {1, 2147483647}, "VOTES",
+            "of edge pixels that make a line");
+  canny.add_to(command);
+}
+
+Result<LineMapOptions> DetectionArguments::options(std::uint64_t seed) const {
+  const auto edges = canny.options();
+  if (!edges) return edges.failure();
+  LineMapOptions options = given;
+  options.canny = *edges;
+  options.hough.seed = seed;
+  // Shorter segments can only come out when shorter ones are looked for.
+  options.hough.min_length = std::min(options.hough.min_length, options.min_length);
+  return options;
+}
+
+std::string words_of(const LineMapOptions& o) {
+  const auto number = [](const char* name, auto value) {
+    return std::string(", ") + name + " " + io::to_text(value);
+  };
+  return "method " + name_of(o.hough.method) + ", seed " + io::to_text(o.hough.seed) + ", picture " +
+         name_of(o.picture) + number("min-length", o.min_length) + number("max-gap", o.max_gap) +
+         number("max-wall-width", o.max_wall_width) + number("furniture-size", o.furniture_size) +
+         number("window", o.hough.gradient_window * (180 / pi)) + " degrees" +
+         number("threshold", o.hough.threshold) + ", " + words_of(o.canny);
+}
+
+}  // namespace straightedge::cli

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "cli/canny_arguments.hpp"
+#include "cli/command.hpp"
+#include "straightedge/host/line_map_builder.hpp"
+
+namespace straightedge::cli {
+
+/// What decides which lines are found, for the commands that go the whole way from a picture to a map. The
+/// object must stay where it is until the arguments are parsed.
+struct DetectionArguments {
+  void add_to(CLI::App& command);
+  /// Fails with `bad_option` where options contradict each other.
+  Result<LineMapOptions> options(std::uint64_t seed) const;
+
+  PictureKind picture() const { return given.picture; }
+
+ private:
+  LineMapOptions given;  // all but what `canny` knows
+  CannyArguments canny{LineMapOptions{}.canny};
+};
+
+/// The effective options in words, seed included.
+std::string words_of(const LineMapOptions& options);
+
+}  // namespace straightedge::cli
