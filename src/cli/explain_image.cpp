@@ -31,12 +31,26 @@ struct NamedFile {
   std::string bytes;
 };
 
+/// Half of the pictures have no colour, and one channel is encoded three times as fast.
+Result<std::string> encode(const Image<Rgb>& picture) {
+  Image<std::uint8_t> gray(picture.size());
+  for (std::int32_t y = 0; y < picture.height(); ++y) {
+    const Rgb* row = picture.view().row(y);
+    std::uint8_t* to = gray.view().row(y);
+    for (std::int32_t x = 0; x < picture.width(); ++x) {
+      if (row[x].red != row[x].green || row[x].red != row[x].blue) return encode_png(picture.view());
+      to[x] = row[x].red;
+    }
+  }
+  return encode_png(gray.view());
+}
+
 /// Encodes one picture after another; the first failure stays.
 class PictureFiles {
  public:
   void add(const std::string& name, const Image<Rgb>& picture) {
     if (!trouble_.sentence.empty()) return;
-    auto png = encode_png(picture.view());
+    auto png = encode(picture);
     if (!png) {
       trouble_ = png.failure();
       return;

@@ -124,6 +124,9 @@ HtmlSection segment_section(const ExplainStory& story) {
   const HoughOptions& options = story.options.lines.hough;
   const HoughResult& hough = story.run.hough;
   const std::string method = name_of(options.method);
+  const std::string threshold = options.method == HoughMethod::randomized
+                                    ? in_words(std::int64_t{options.pair_threshold}) + " pairs"
+                                    : in_words(std::int64_t{options.threshold}) + " votes";
   HtmlSection section{
       .id = "segments",
       .title = "Segments, as the Hough transform gives them",
@@ -131,7 +134,7 @@ HtmlSection segment_section(const ExplainStory& story) {
       .figures = {stage_figure(story, "segments.png", "Coloured segments over the pale picture",
                                "Raw segments. Colours only tell neighbours apart.")},
       .facts = {{"method", "Method", method},
-                {"threshold", "Threshold", in_words(std::int64_t{options.threshold}) + " votes"},
+                {"threshold", "Threshold", threshold},
                 {"segments-count", "Segments", in_words(std::int64_t{hough.segments})},
                 {"seed", "Seed", std::to_string(hough.seed)}},
       .sources = {std::string("include/straightedge/hough_").append(method).append(".hpp"),
@@ -154,9 +157,13 @@ HtmlSection progress_section(const ExplainStory& story) {
   HtmlSection section{
       .id = "progress",
       .title = "The same run, step by step",
-      .paragraphs = {"Gray pixels wait, yellow ones have voted, red ones were taken out by a line. See how "
-                     "few votes the long lines need: most of their pixels are taken before their turn "
-                     "comes. What is still yellow in the end lies on no line that is long enough."}};
+      .paragraphs = {"Gray pixels wait, yellow ones have voted, red ones were taken out by a line."}};
+  section.paragraphs.emplace_back(
+      pairs ? "See how few pairs the long lines need. What is not red in the end lies on no "
+              "line that is long enough."
+            : "See how few votes the long lines need: their other pixels are taken before "
+              "their turn comes. What is still yellow in the end lies on no line that "
+              "stands out.");
   for (std::size_t i = 0; i < story.progress.size(); ++i) {
     const ProgressPicture& moment = story.progress[i];
     std::string caption = i + 1 == story.progress.size() ? "At the end: " : "After ";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/explain_progress.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <utility>
@@ -10,6 +11,8 @@
 
 namespace straightedge::cli {
 namespace {
+
+constexpr std::int32_t dot_room = 1000;  // pixels of the longer side for each pixel of a dot's radius
 
 /// Follows the trace of a run and takes pictures.
 class Watcher {
@@ -51,8 +54,29 @@ class Watcher {
  private:
   void paint() {
     ProgressPicture shown = now_;
-    shown.picture = enlarged(pixels_, zoom_);
+    shown.picture = zoom_ > 1 ? enlarged(pixels_, zoom_) : with_dots();
     pictures_.push_back(std::move(shown));
+  }
+
+  /// Two of these pictures share the page's width: in a large one a pixel must be a dot to be seen.
+  Image<Rgb> with_dots() const {
+    const Size size = pixels_.size();
+    const std::int32_t reach = std::max(size.width, size.height) / dot_room;
+    if (reach == 0) return pixels_;
+    Image<Rgb> picture(size);
+    for (std::int32_t y = 0; y < size.height; ++y) {
+      for (std::int32_t x = 0; x < size.width; ++x) {
+        if (pixels_.at(x, y) != Rgb{}) put_dot(picture.view(), x, y, reach);
+      }
+    }
+    return picture;
+  }
+
+  void put_dot(ImageView<Rgb> picture, std::int32_t x, std::int32_t y, std::int32_t reach) const {
+    for (std::int32_t v = std::max(0, y - reach); v <= std::min(picture.height - 1, y + reach); ++v) {
+      for (std::int32_t u = std::max(0, x - reach); u <= std::min(picture.width - 1, x + reach); ++u)
+        picture.at(u, v) = pixels_.at(x, y);
+    }
   }
 
   int zoom_;

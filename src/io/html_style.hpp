@@ -58,7 +58,9 @@ dialog button { font-size: 1rem; min-width: 2.5rem; height: 2rem; margin-right: 
   body { max-width: none; padding: 0; font-size: 10.5pt; }
   h2 { break-after: avoid; margin-top: 1.6rem; }
   figure, table, .sources { break-inside: avoid; }
-  figure img { max-height: 11cm; }
+  figure img { max-height: 9cm; }
+  section p, .figures { break-after: avoid; }
+  section p.sources { break-after: auto; }
   nav, dialog { display: none; }
 }
 )";

@@ -78,6 +78,7 @@ TEST_CASE("every method can be explained") {
   const auto page = explain_and_check(explained::fixture("images/pic5.png"), options, folder / "out");
   const char* names[] = {"standard", "progressive", "randomized"};
   CHECK(page.facts.at("method") == names[static_cast<int>(method)]);
+  CHECK(page.facts.at("threshold") == (method == HoughMethod::randomized ? "3 pairs" : "14 votes"));
 }
 
 TEST_CASE("pictures without any content are explained") {

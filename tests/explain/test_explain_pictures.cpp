@@ -140,6 +140,19 @@ TEST_CASE("the progress ends where the run ends") {
   }
 }
 
+TEST_CASE("in a large picture of the progress a pixel is a dot") {
+  Image<std::uint8_t> image(Size{1200, 40});
+  for (std::int32_t y = 20; y < 40; ++y) {
+    for (std::int32_t x = 0; x < 1200; ++x) image.at(x, y) = 255;
+  }
+  const ExplainRun run = run_of(image);
+  const auto pictures = show_progress(run, line_map_hough, scale_of(run, GradientNorm::l1));
+  REQUIRE_FALSE(pictures.empty());
+  std::int32_t rows = 0;
+  for (std::int32_t y = 0; y < 40; ++y) rows += pictures.back().picture.at(600, y) == taken_colour;
+  CHECK(rows == 3);
+}
+
 TEST_CASE("chords end at the picture's border") {
   const Size size{100, 60};
   const auto upright = chord_of({.rho = 30, .theta = 0, .votes = 1}, size);
