@@ -67,7 +67,7 @@ TEST_CASE("begin and end lie where the edge pixels end, begin first") {
   const support::EdgeScene scene = bar_with_hole(12, 0);
   const RefinedSegment edge = refit(scene, {40, 43, 80, 43});
   REQUIRE(edge.begin < edge.end);
-  CHECK(edge.length() == Approx(80).margin(4));
+  CHECK(edge.length() == Approx(80).margin(6));
   const double u0 = edge.fit.centroid_x - edge.begin * edge.light_y;
   const double u1 = edge.fit.centroid_x - edge.end * edge.light_y;
   CHECK(std::fmin(u0, u1) == Approx(19.5).margin(2.5));
@@ -78,7 +78,7 @@ TEST_CASE("a hole longer than max_gap ends the segment") {
   const support::EdgeScene scene = bar_with_hole(12, 14);
   RefitOptions options;
   options.max_gap = 30;
-  CHECK(refit(scene, {22, 43, 52, 43}, options).length() == Approx(80).margin(4));
+  CHECK(refit(scene, {22, 43, 52, 43}, options).length() == Approx(80).margin(6));
   options.max_gap = 6;
   CHECK(refit(scene, {22, 43, 52, 43}, options).length() == Approx(33).margin(5));
 }
