@@ -168,7 +168,7 @@ TEST_CASE("ids count from zero, counts of the report are those of the map") {
     CHECK(line.count.value_or(0) > 0);
     REQUIRE(line.covariance.has_value());
     CHECK(line.covariance->var_theta > 0);
-    CHECK(line.covariance->var_offset >= 0.2 * 0.2);  // the floor
+    CHECK(line.covariance->var_offset >= 0.05 * 0.05);  // the smallest floor
   }
   CHECK(result.report.lines == lines);
   CHECK(result.report.segments == segments);

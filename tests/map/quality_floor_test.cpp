@@ -96,6 +96,6 @@ TEST_CASE("buildings with known walls are found whole, once and nearly nothing e
   CHECK(all.recall() >= 0.95);
   CHECK(all.precision() >= 0.95);
   CHECK(all.redundancy() <= 1.03);
-  CHECK(plan::median(all.offsets) <= 0.12);
-  CHECK(plan::median(all.angles) <= 0.1 * degree);
+  CHECK(plan::median(all.offsets) <= 0.04);
+  CHECK(plan::median(all.angles) <= 0.04 * degree);
 }
