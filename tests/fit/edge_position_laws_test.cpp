@@ -71,8 +71,8 @@ Errors measure_all(double sigma) {
 TEST_CASE("a blurred step edge is found to a part of a pixel, whatever its slope and place") {
   const Errors errors = measure_all(1.4);
   CAPTURE(errors.worst, errors.rms(), errors.bias());
-  CHECK(errors.worst < 0.36);
-  CHECK(errors.rms() < 0.09);
+  CHECK(errors.worst < 0.06);
+  CHECK(errors.rms() < 0.02);
   CHECK(errors.bias() < 0.003);
 }
 

@@ -30,6 +30,8 @@ class EdgeScene {
     return {canny_.gradient_x(), canny_.gradient_y(), canny_.magnitude()};
   }
 
+  straightedge::GrayView blurred() const { return canny_.blurred(); }
+
   straightedge::Image<std::uint8_t> mask;
 
  private:
