@@ -82,7 +82,8 @@ TEST_CASE("an edge lies within half a pixel of the largest magnitude near its pi
 TEST_CASE("where there is no top the pixel's centre is the answer") {
   for (const int level : {0, 50, 100}) {
     CAPTURE(level);
-    const EdgePosition edge = edge_position(Field(100, 0).row({level, level, level, level, level}).view(), 2, 2);
+    const EdgePosition edge =
+        edge_position(Field(100, 0).row({level, level, level, level, level}).view(), 2, 2);
     CHECK(edge.x == 2);
     CHECK(edge.y == 2);
     CHECK(edge.variance > 0);

@@ -56,7 +56,8 @@ void check_same(const RefinedSegment& found, double light_x, double light_y, dou
   CHECK(found.light_x == Approx(light_x).margin(1e-3));
   CHECK(found.light_y == Approx(light_y).margin(1e-3));
   // Centroids slide along the line when a pixel at an end changes sides; across they may not.
-  CHECK((found.fit.centroid_x - x) * light_x + (found.fit.centroid_y - y) * light_y == Approx(0).margin(0.02));
+  CHECK((found.fit.centroid_x - x) * light_x + (found.fit.centroid_y - y) * light_y ==
+        Approx(0).margin(0.02));
   CHECK(found.length() == Approx(like.length()).margin(2));
   CHECK(static_cast<double>(found.pixels) == Approx(like.pixels).margin(4));
 }
@@ -79,7 +80,8 @@ TEST_CASE("a known edge is found from a rough segment beside it") {
     const double error = offset_error(found, truth);
     CHECK(std::fabs(error) < 0.1);
     CHECK(found.length() == Approx(2 * half_length).margin(6));
-    const double angle = std::asin(found.light_x * std::sin(truth.theta) - found.light_y * std::cos(truth.theta));
+    const double angle =
+        std::asin(found.light_x * std::sin(truth.theta) - found.light_y * std::cos(truth.theta));
     CHECK(std::fabs(angle) < 0.3 * degree);
     squares += error * error;
     worst = std::fmax(worst, std::fabs(error));
@@ -119,8 +121,8 @@ TEST_CASE("a turned or mirrored picture has a turned or mirrored segment") {
     RefinedSegment a, b, c;
     const int last = size.width - 1;
     REQUIRE(refit_segment(straight.mask, straight.field(), rough, {}, a) == Status::ok);
-    REQUIRE(refit_segment(turned.mask, turned.field(),
-                          {last - rough.y0, rough.x0, last - rough.y1, rough.x1}, {}, b) == Status::ok);
+    REQUIRE(refit_segment(turned.mask, turned.field(), {last - rough.y0, rough.x0, last - rough.y1, rough.x1},
+                          {}, b) == Status::ok);
     REQUIRE(refit_segment(flipped.mask, flipped.field(),
                           {last - rough.x0, rough.y0, last - rough.x1, rough.y1}, {}, c) == Status::ok);
     REQUIRE(a.pixels > 40);

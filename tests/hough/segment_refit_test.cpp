@@ -134,7 +134,8 @@ TEST_CASE("bad options and views of refitting have a status each") {
     CHECK((result == Status::ok || refined.pixels == 0));
     return result;
   };
-  for (const double corridor : {nan, 0.49, 8.01, -1.0}) CHECK(status({.corridor = corridor}) == Status::invalid_option);
+  for (const double corridor : {nan, 0.49, 8.01, -1.0})
+    CHECK(status({.corridor = corridor}) == Status::invalid_option);
   for (const double angle : {nan, -0.01, 1.58}) CHECK(status({.max_angle = angle}) == Status::invalid_option);
   for (const double gap : {nan, -1.0}) CHECK(status({.max_gap = gap}) == Status::invalid_option);
   for (const int rounds : {0, -3, 21}) CHECK(status({.rounds = rounds}) == Status::invalid_option);
@@ -164,7 +165,8 @@ TEST_CASE("claiming clears the segment's own pixels and no others") {
     segment.begin = -9.3;
     segment.end = 12.2;
     const double corridor = 3.7, margin = 2;
-    const std::uint32_t claimed = claim_pixels(even.mask.view(), even.field(), segment, corridor, 0.4, margin);
+    const std::uint32_t claimed =
+        claim_pixels(even.mask.view(), even.field(), segment, corridor, 0.4, margin);
     std::uint32_t expected = 0, wrong = 0;
     for (int y = 0; y < 60; ++y) {
       for (int x = 0; x < 60; ++x) {

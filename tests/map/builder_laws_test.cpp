@@ -19,7 +19,8 @@ constexpr Size size{180, 150};
 support::Canvas rooms(double angle) {
   support::Canvas canvas(size, 254);
   const auto at = [&](double x, double y) {
-    return Point2{90 + x * std::cos(angle) - y * std::sin(angle), 75 + x * std::sin(angle) + y * std::cos(angle)};
+    return Point2{90 + x * std::cos(angle) - y * std::sin(angle),
+                  75 + x * std::sin(angle) + y * std::cos(angle)};
   };
   canvas.paint_bar(at(-50, -40), at(50, -40), 2.4);
   canvas.paint_bar(at(50, -41.2), at(50, 20), 2.4);
@@ -54,9 +55,9 @@ const double angles[] = {0, 0.21, 0.7853981633974483, 1.2};
 
 }  // namespace
 
-// Away from the border and with other things equal, a shift by whole pixels changes no gray value that is looked
-// at. The order in which edge pixels are drawn by the Hough transform changes, and with it which rough segment
-// comes first; refinement takes this back but for the places of a few pixels.
+// Away from the border and with other things equal, a shift by whole pixels changes no gray value that is
+// looked at. The order in which edge pixels are drawn by the Hough transform changes, and with it which rough
+// segment comes first; refinement takes this back but for the places of a few pixels.
 TEST_CASE("a shifted picture has shifted lines") {
   for (const double angle : angles) {
     const Image<std::uint8_t> picture = rooms(angle).picture();
@@ -65,8 +66,12 @@ TEST_CASE("a shifted picture has shifted lines") {
     for (const auto& [left, top] : {std::pair{21, 20}, std::pair{37, 48}, std::pair{3, 5}}) {
       CAPTURE(angle, left, top);
       const double du = left - 20, dv = top - 20;
-      check_moved(here, walls_in(support::placed(picture, {240, 210}, left, top, 254)),
-                  [&](Point2 p) { return Point2{p.x + du, p.y + dv}; }, 0.05, 0.6);
+      check_moved(
+          here, walls_in(support::placed(picture, {240, 210}, left, top, 254)),
+          [&](Point2 p) {
+            return Point2{p.x + du, p.y + dv};
+          },
+          0.05, 0.6);
     }
   }
 }
@@ -81,7 +86,12 @@ TEST_CASE("a picture turned by quarters has turned lines") {
       const double height = picture.height();
       picture = support::turned_clockwise(picture);
       std::vector<Found> after = walls_in(picture);
-      check_moved(before, after, [&](Point2 p) { return Point2{height - p.y, p.x}; }, 0.08, 0.8);
+      check_moved(
+          before, after,
+          [&](Point2 p) {
+            return Point2{height - p.y, p.x};
+          },
+          0.08, 0.8);
       before = std::move(after);
     }
   }
@@ -91,8 +101,12 @@ TEST_CASE("a mirrored picture has mirrored lines") {
   for (const double angle : angles) {
     CAPTURE(angle);
     const Image<std::uint8_t> picture = rooms(angle).picture();
-    check_moved(walls_in(picture), walls_in(support::mirrored(picture)),
-                [](Point2 p) { return Point2{size.width - p.x, p.y}; }, 0.08, 0.8);
+    check_moved(
+        walls_in(picture), walls_in(support::mirrored(picture)),
+        [](Point2 p) {
+          return Point2{size.width - p.x, p.y};
+        },
+        0.08, 0.8);
   }
 }
 
@@ -103,9 +117,12 @@ TEST_CASE("a border of unknown space changes no line") {
     for (const bool with_meaning : {false, true}) {
       LineMapOptions options;
       if (with_meaning) options.meaning = RosMeaning{};
-      check_moved(walls_in(picture, options),
-                  walls_in(support::placed(picture, {230, 190}, 30, 25, 205), options),
-                  [](Point2 p) { return Point2{p.x + 30, p.y + 25}; }, 0.05, 0.6);
+      check_moved(
+          walls_in(picture, options), walls_in(support::placed(picture, {230, 190}, 30, 25, 205), options),
+          [](Point2 p) {
+            return Point2{p.x + 30, p.y + 25};
+          },
+          0.05, 0.6);
     }
   }
 }
@@ -122,9 +139,9 @@ TEST_CASE("all three Hough methods find the drawn walls") {
       LineMapOptions options;
       options.hough.method = method;
       const std::vector<Found> found = walls_in(picture, options);
-      for (const Wall& wall :
-           {Wall{at(-50, -40), at(50, -40)}, Wall{at(50, -40), at(50, 20)}, Wall{at(-50, -15), at(-10, -15)},
-            Wall{at(12, -15), at(50, -15)}, Wall{at(-45, 20.5), at(20, 20.5)}, Wall{at(-45, 29.5), at(20, 29.5)}}) {
+      for (const Wall& wall : {Wall{at(-50, -40), at(50, -40)}, Wall{at(50, -40), at(50, 20)},
+                               Wall{at(-50, -15), at(-10, -15)}, Wall{at(12, -15), at(50, -15)},
+                               Wall{at(-45, 20.5), at(20, 20.5)}, Wall{at(-45, 29.5), at(20, 29.5)}}) {
         CAPTURE(angle, static_cast<int>(method), wall.a.x, wall.a.y);
         const std::vector<Found> here = plan::beside(found, wall);
         REQUIRE(here.size() == 1);
@@ -141,6 +158,7 @@ TEST_CASE("any seed of the Hough transform gives the same walls") {
     CAPTURE(seed);
     LineMapOptions options;
     options.hough.seed = seed;
-    check_moved(first, walls_in(picture, options), [](Point2 p) { return p; }, 0.08, 0.8);
+    check_moved(
+        first, walls_in(picture, options), [](Point2 p) { return p; }, 0.08, 0.8);
   }
 }

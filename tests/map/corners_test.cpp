@@ -32,7 +32,8 @@ TEST_CASE("a wall that stops short of another's middle goes up to it; the other 
 }
 
 TEST_CASE("beyond reach, nearly parallel or not that far along, nothing moves") {
-  for (const WallLine& other : {face({10, 25}, {10, 70}), face({85, 20}, {150, 35}), face({6, 60}, {6, 24})}) {
+  for (const WallLine& other :
+       {face({10, 25}, {10, 70}), face({85, 20}, {150, 35}), face({6, 60}, {6, 24})}) {
     std::vector<WallLine> lines{face({10, 20}, {80, 20}), other};
     close_corners(lines, {}, 3.5);
     stage::check_ends(lines[0], {10, 20}, {80, 20}, 1e-6);
@@ -50,7 +51,8 @@ TEST_CASE("20 degrees is where corners begin") {
   for (const double degrees : {18.0, 22.0}) {
     CAPTURE(degrees);
     const double c = std::cos(degrees * degree), s = std::sin(degrees * degree);
-    std::vector<WallLine> lines{face({12, 20}, {80, 20}), face({10 + 1 * c, 20 + 1 * s}, {10 + 60 * c, 20 + 60 * s})};
+    std::vector<WallLine> lines{face({12, 20}, {80, 20}),
+                                face({10 + 1 * c, 20 + 1 * s}, {10 + 60 * c, 20 + 60 * s})};
     close_corners(lines, {}, 3.5);
     CHECK(stage::begin_of(lines[0]).x == Approx(degrees < 20 ? 12 : 10).margin(1e-6));
   }

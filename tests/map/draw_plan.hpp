@@ -13,8 +13,8 @@
 #include "support/catch.hpp"
 #include "support/drawing.hpp"
 
-/// Drawings of buildings with their truth, and line maps looked at in the drawing's own frame: the image plane,
-/// u right, v down.
+/// Drawings of buildings with their truth, and line maps looked at in the drawing's own frame: the image
+/// plane, u right, v down.
 namespace plan {
 
 using straightedge::LineMap;
@@ -109,7 +109,8 @@ inline std::vector<Found> beside(const std::vector<Found>& found, const Wall& tr
   for (const Found& f : found) {
     const double s = along(truth, middle(f.wall));
     if (angle_between(f.wall, truth) > 2 * straightedge::degree || s < 0 || s > truth.length()) continue;
-    if (std::fabs(distance_from(truth, f.wall.a)) > reach || std::fabs(distance_from(truth, f.wall.b)) > reach)
+    if (std::fabs(distance_from(truth, f.wall.a)) > reach ||
+        std::fabs(distance_from(truth, f.wall.b)) > reach)
       continue;
     out.push_back(f);
   }

@@ -34,11 +34,11 @@ TEST_CASE("two pieces that overlap on one line become one with the pixels of bot
 
 TEST_CASE("what is not one line stays apart") {
   const WallLine a = face({10, 20}, {60, 20});
-  CHECK(count_after_merging({a, face({10, 26}, {60, 26})}) == 2);  // beside
-  CHECK(count_after_merging({a, face({60, 21}, {10, 21})}) == 2);  // light on the other side
-  CHECK(count_after_merging({a, axis({10, 20}, {60, 20})}) == 2);  // of another kind
+  CHECK(count_after_merging({a, face({10, 26}, {60, 26})}) == 2);   // beside
+  CHECK(count_after_merging({a, face({60, 21}, {10, 21})}) == 2);   // light on the other side
+  CHECK(count_after_merging({a, axis({10, 20}, {60, 20})}) == 2);   // of another kind
   CHECK(count_after_merging({a, face({80, 20}, {120, 20})}) == 2);  // a door between
-  CHECK(count_after_merging({a, face({35, 0}, {35, 40})}) == 2);   // across
+  CHECK(count_after_merging({a, face({35, 0}, {35, 40})}) == 2);    // across
 }
 
 TEST_CASE("axes merge whichever way their normals point") {

@@ -104,7 +104,8 @@ TEST_CASE("white laser rays in unknown space are gone after stretching") {
 }
 
 TEST_CASE("photos are no maps") {
-  for (const char* name : {"camera.png", "coins.png", "building.jpg", "home.jpg", "left01.jpg", "brick.png"}) {
+  for (const char* name :
+       {"camera.png", "coins.png", "building.jpg", "home.jpg", "left01.jpg", "brick.png"}) {
     CAPTURE(name);
     const Image<std::uint8_t> image = fixture(std::string("images/") + name);
     const Picture picture = understood(image);

@@ -13,7 +13,8 @@ namespace {
 
 constexpr Size size{320, 280};
 
-/// A building with its truth: an outer ring of walls, inner walls that stand on it, doors, columns of thick wall.
+/// A building with its truth: an outer ring of walls, inner walls that stand on it, doors, columns of thick
+/// wall.
 class Building {
  public:
   explicit Building(std::uint64_t seed) : random_(seed, 61), canvas_(size, 254) {
@@ -92,7 +93,8 @@ TEST_CASE("buildings with known walls are found whole, once and nearly nothing e
     CHECK(one.precision() >= 0.8);
     all.add(one);
   }
-  CAPTURE(all.recall(), all.precision(), all.redundancy(), plan::median(all.offsets), plan::median(all.angles));
+  CAPTURE(all.recall(), all.precision(), all.redundancy(), plan::median(all.offsets),
+          plan::median(all.angles));
   CHECK(all.recall() >= 0.95);
   CHECK(all.precision() >= 0.95);
   CHECK(all.redundancy() <= 1.03);

@@ -10,9 +10,9 @@
 namespace plan {
 
 struct Score {
-  double truth = 0, hit = 0;        ///< true walls, and those that are covered by at least four fifths
-  double found = 0, right = 0;      ///< segments of the map, and those that lie on a true wall
-  double covered = 0, drawn = 0;    ///< length of true walls that is covered, and all that was drawn on them
+  double truth = 0, hit = 0;      ///< true walls, and those that are covered by at least four fifths
+  double found = 0, right = 0;    ///< segments of the map, and those that lie on a true wall
+  double covered = 0, drawn = 0;  ///< length of true walls that is covered, and all that was drawn on them
   std::vector<double> offsets, angles;
 
   double recall() const { return hit / truth; }
@@ -39,8 +39,8 @@ struct Stretch {
 /// Where on the true wall a found segment lies; nothing when it is more than 2 degrees or 1.5 pixels off.
 inline Stretch stretch_on(const Wall& truth, const Wall& found) {
   const double reach = 1.5;
-  if (angle_between(truth, found) > 2 * straightedge::degree || std::fabs(distance_from(truth, found.a)) > reach ||
-      std::fabs(distance_from(truth, found.b)) > reach)
+  if (angle_between(truth, found) > 2 * straightedge::degree ||
+      std::fabs(distance_from(truth, found.a)) > reach || std::fabs(distance_from(truth, found.b)) > reach)
     return {};
   const double a = along(truth, found.a), b = along(truth, found.b);
   return {std::max(std::min(a, b), 0.0), std::min(std::max(a, b), truth.length())};
@@ -85,7 +85,8 @@ inline Score score(const std::vector<Wall>& truth, const std::vector<Found>& fou
 
 inline double median(std::vector<double> values) {
   if (values.empty()) return 1e9;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
   return values[values.size() / 2];
 }
 

@@ -14,8 +14,8 @@ namespace stage {
 using straightedge::Point2;
 using straightedge::WallLine;
 
-/// A face from a to b with the light side on its left when rows count downwards, carried by exact points, one a
-/// pixel.
+/// A face from a to b with the light side on its left when rows count downwards, carried by exact points, one
+/// a pixel.
 inline WallLine face(Point2 a, Point2 b) {
   const double length = std::hypot(b.x - a.x, b.y - a.y);
   const double tx = (b.x - a.x) / length, ty = (b.y - a.y) / length;

@@ -82,7 +82,9 @@ class Canvas {
       top = std::min(top, p.y);
       bottom = std::max(bottom, p.y);
     }
-    const auto clamp = [](double v, int last) { return static_cast<int>(std::clamp(std::floor(v), 0.0, last * 1.0)); };
+    const auto clamp = [](double v, int last) {
+      return static_cast<int>(std::clamp(std::floor(v), 0.0, last * 1.0));
+    };
     for (int y = clamp(top, size().height); y < clamp(bottom + 1, size().height); ++y) {
       for (int x = clamp(left, size().width); x < clamp(right + 1, size().width); ++x) {
         const double share = covered(shape, x, y);
