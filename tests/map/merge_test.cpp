@@ -10,9 +10,11 @@ using stage::face;
 
 namespace {
 
+const Picture blank = understand_picture(Image<std::uint8_t>({200, 100}, 255), PictureKind::map, {});
+
 std::size_t count_after_merging(std::vector<WallLine> lines) {
   const std::size_t before = lines.size();
-  const std::uint32_t vanished = merge_fragments(lines, {});
+  const std::uint32_t vanished = merge_fragments(lines, blank, {});
   CHECK(before - vanished == lines.size());
   return lines.size();
 }
@@ -22,7 +24,7 @@ std::size_t count_after_merging(std::vector<WallLine> lines) {
 TEST_CASE("two pieces that overlap on one line become one with the pixels of both") {
   const WallLine a = face({10, 20}, {60, 20}), b = face({50, 20}, {90, 20});
   std::vector<WallLine> lines{a, b};
-  CHECK(merge_fragments(lines, {}) == 1);
+  CHECK(merge_fragments(lines, blank, {}) == 1);
   REQUIRE(lines.size() == 1);
   stage::check_ends(lines[0], {10, 20}, {90, 20}, 1e-6);
   CHECK(lines[0].pixels == a.pixels + b.pixels);
@@ -45,7 +47,7 @@ TEST_CASE("axes merge whichever way their normals point") {
   std::vector<WallLine> lines{axis({10, 20}, {60, 20}, 2), axis({90, 20}, {55, 20}, 3)};
   lines[0].free_plus = true;
   lines[1].free_minus = true;
-  CHECK(merge_fragments(lines, {}) == 1);
+  CHECK(merge_fragments(lines, blank, {}) == 1);
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].free_plus);
   CHECK_FALSE(lines[0].free_minus);
@@ -58,7 +60,7 @@ TEST_CASE("of two that overlap in a bent wall the shorter keeps what is left ove
   const WallLine straight = face({10, 20}, {80, 20});
   const WallLine bent = face({70, 20.3}, {110, 26});
   std::vector<WallLine> lines{bent, straight};
-  CHECK(merge_fragments(lines, {}) == 0);
+  CHECK(merge_fragments(lines, blank, {}) == 0);
   REQUIRE(lines.size() == 2);
   stage::check_ends(lines[0], {10, 20}, {80, 20}, 1e-6);
   CHECK(stage::begin_of(lines[1]).x == Approx(80).margin(0.5));
@@ -68,7 +70,7 @@ TEST_CASE("of two that overlap in a bent wall the shorter keeps what is left ove
 TEST_CASE("a wall and its doors are one group with one fit, longest first") {
   std::vector<WallLine> lines{face({10, 20.05}, {40, 20}), face({60, 20}, {120, 20.04}),
                               face({30, 50}, {90, 50}), face({140, 20}, {165, 19.97})};
-  const auto groups = group_collinear(lines, {});
+  const auto groups = group_collinear(lines, blank, {});
   REQUIRE(groups.size() == 2);
   std::size_t members = 0;
   for (const auto& group : groups) {
@@ -88,11 +90,11 @@ TEST_CASE("a wall and its doors are one group with one fit, longest first") {
 
 TEST_CASE("parallel walls two pixels apart are two groups") {
   std::vector<WallLine> lines{face({10, 20}, {60, 20}), face({80, 22}, {130, 22})};
-  CHECK(group_collinear(lines, {}).size() == 2);
+  CHECK(group_collinear(lines, blank, {}).size() == 2);
 }
 
 TEST_CASE("nothing merges into nothing") {
   std::vector<WallLine> none;
-  CHECK(merge_fragments(none, {}) == 0);
-  CHECK(group_collinear(none, {}).empty());
+  CHECK(merge_fragments(none, blank, {}) == 0);
+  CHECK(group_collinear(none, blank, {}).empty());
 }
