@@ -79,7 +79,7 @@ TEST_CASE("too little memory gives a sentence, not a crash") {
       {"edges", picture, "-o", (folder / "e.png").string()},
       {"hough", picture, "--csv", (folder / "h.csv").string()},
       {"lines", picture, "-o", (folder / "m.xml").string()}};
-  for (const std::size_t megabytes : {20, 40, 80, 120, 160}) {
+  for (const std::size_t megabytes : {20u, 40u, 80u, 120u, 160u}) {
     for (const auto& arguments : commands) {
       const Run run = run_program(arguments, {.address_space = megabytes << 20});
       INFO(arguments[0] << " in " << megabytes << " MB: " << run.code << " " << run.err);
