@@ -35,6 +35,20 @@ int print(const std::string& text) {
   return written ? 0 : fail(written.failure());
 }
 
+std::string input_of(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_positional() && option->count() > 0) return option->results().front();
+  }
+  return command.get_name();
+}
+
+int run_command(const Command& command) try {
+  const auto done = command.run();
+  return done ? 0 : fail(done.failure());
+} catch (const std::bad_alloc&) {
+  return fail({Problem::internal, input_of(*command.app) + ": there is not enough memory for this input"});
+}
+
 int run_commands(CLI::App& program, int argument_count, char** arguments) {
   const std::vector<Command> commands = {add_edges_command(program),   add_hough_command(program),
                                          add_explain_command(program), add_lines_command(program),
@@ -50,8 +64,7 @@ int run_commands(CLI::App& program, int argument_count, char** arguments) {
   }
   for (const Command& command : commands) {
     if (!command.app->parsed()) continue;
-    const auto done = command.run();
-    return done ? 0 : fail(done.failure());
+    return run_command(command);
   }
   return fail({Problem::bad_option, "no sub-command was given"});
 }
@@ -72,7 +85,7 @@ int run_program(int argument_count, char** arguments) try {
   program.footer(exit_codes_text);
   return run_commands(program, argument_count, arguments);
 } catch (const std::bad_alloc&) {
-  return fail({Problem::internal, "there is not enough memory for this input"});
+  return fail({Problem::internal, "there is not enough memory"});
 } catch (const std::exception& error) {
   return fail({Problem::internal, std::string("internal fault: ") + error.what()});
 }

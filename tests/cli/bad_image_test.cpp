@@ -85,6 +85,7 @@ TEST_CASE("too little memory gives a sentence, not a crash") {
       INFO(arguments[0] << " in " << megabytes << " MB: " << run.code << " " << run.err);
       CHECK((run.code == 0 || run.code == 3 || run.code == 70));
       if (run.code != 0) CHECK(run.err.starts_with("straightedge: "));
+      if (run.code != 0) CHECK(run.err.find(picture) != std::string::npos);
       if (run.code != 0) CHECK(run.err.find("memory") != std::string::npos);
     }
   }
