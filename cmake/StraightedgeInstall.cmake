@@ -13,6 +13,9 @@ install(TARGETS straightedge_core EXPORT straightedge-core)
 install(EXPORT straightedge-core NAMESPACE straightedge:: DESTINATION ${config_dir})
 
 if(TARGET straightedge)
+  if(BUILD_SHARED_LIBS)  # the host library finds the core beside it, also for programs that link it alone
+    set_target_properties(straightedge PROPERTIES INSTALL_RPATH "$ORIGIN")
+  endif()
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/straightedge/host
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/straightedge FILES_MATCHING PATTERN "*.hpp")
   install(TARGETS straightedge EXPORT straightedge-host)

@@ -22,7 +22,7 @@ const std::map<std::string, Names> may_include = {
     {"hough", {"base", "fit"}},
     {"host", {"base", "canny", "fit", "hough"}},
     {"map", {"base", "canny", "fit", "hough", "host"}},
-    {"io", {"base", "map", "host"}},
+    {"io", {"base", "canny", "map", "host"}},
     {"cli", {"base", "canny", "fit", "hough", "host", "map", "io"}},
 };
 const Names core_modules = {"base", "canny", "fit", "hough"};
