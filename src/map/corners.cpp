@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "map/corners.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -12,32 +13,46 @@ namespace straightedge {
 namespace {
 
 constexpr double min_sine = 0.342;  // 20 degrees
+constexpr double min_bend = 0.1;    // 6 degrees
+constexpr double bend_reach = 14;   // pixels; at a slight bend two pieces overlap far
 
 struct Crossing {
   double on_a = 0;  ///< along each line
   double on_b = 0;
+  bool bend = false;  ///< the two continue one another round a slight bend
 };
 
 bool cross(const WallLine& a, const WallLine& b, Crossing& at) {
   const double sine = a.nx * b.ny - a.ny * b.nx;
-  if (std::fabs(sine) < min_sine) return false;
+  if (std::fabs(sine) < min_bend) return false;
+  at.bend = std::fabs(sine) < min_sine;
   const double slope = a.tx() * b.nx + a.ty() * b.ny;  // how fast b's distance changes along a
   at.on_a = -b.across(a.fit.centroid_x, a.fit.centroid_y) / slope;
   at.on_b = b.along(a.x_at(at.on_a), a.y_at(at.on_a));
   return true;
 }
 
+/// Whether an end at `s` may move to the crossing.
+bool reaches(const WallLine& line, double s, const WallLine& other, const Crossing& at, double reach) {
+  const double way = std::fabs(at.on_a - s);
+  if (at.bend) {
+    const double from_end = std::min(std::fabs(at.on_b - other.begin), std::fabs(at.on_b - other.end));
+    return line.axis == other.axis && way <= bend_reach && from_end <= bend_reach && at.on_b > other.begin &&
+           at.on_b < other.end && at.on_a > line.begin && at.on_a < line.end;
+  }
+  const double own = reach + 0.5 * other.width;
+  return way <= own && at.on_b >= other.begin - own && at.on_b <= other.end + own;
+}
+
 /// The place on `line` nearest to its end at `s` where another segment crosses it.
 double snapped(const WallLine& line, double s, const std::vector<const WallLine*>& others, double reach) {
-  double best = 2 * reach;
+  double best = bend_reach + 1;
   double place = s;
   for (const WallLine* other : others) {
     Crossing at;
-    if (!cross(line, *other, at)) continue;
-    const double own = reach + 0.5 * other->width;
-    if (at.on_b < other->begin - own || at.on_b > other->end + own) continue;
+    if (!cross(line, *other, at) || !reaches(line, s, *other, at, reach)) continue;
     const double way = std::fabs(at.on_a - s);
-    if (way > own || way >= best) continue;
+    if (way >= best) continue;
     best = way;
     place = at.on_a;
   }
@@ -47,7 +62,7 @@ double snapped(const WallLine& line, double s, const std::vector<const WallLine*
 }  // namespace
 
 void close_corners(std::vector<WallLine>& lines, const std::vector<WallLine>& helpers, double reach) {
-  constexpr double widest = 10;  // half the width of a thin wall, with room
+  constexpr double widest = 10;  // half the width of a thin wall, with room; a bend
   const LineGrid near_lines(lines, reach + widest);
   const LineGrid near_helpers(helpers, reach + widest);
   std::vector<WallLine> closed = lines;
