@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "map/line_floor.hpp"
 #include "straightedge/canny.hpp"
 #include "straightedge/edge_position.hpp"
 #include "straightedge/host/image.hpp"
@@ -92,4 +93,24 @@ TEST_CASE("line-map.md: the fit to four points") {
   CHECK(fit.var_offset == Approx(0.25));
   CHECK(fit.var_theta == Approx(1 / (3 + std::sqrt(5.0))));
   CHECK(fit.residual == Approx(std::sqrt((3 - std::sqrt(5.0)) / 4)));
+}
+
+TEST_CASE("line-map.md: the floors") {
+  WallLine face, axis;  // upright, of no length: on the grid
+  axis.axis = true;
+  const auto offset = [](bool crisp, bool noisy, const WallLine& line) {
+    Picture picture;
+    picture.crisp = crisp;
+    picture.noisy = noisy;
+    return line_floor(picture, line).offset;
+  };
+  CHECK(offset(true, false, face) == 0.29);
+  CHECK(offset(true, true, axis) == 0.29);
+  CHECK(offset(false, false, axis) == 0.2);
+  CHECK(offset(false, false, face) == 0.05);
+  CHECK(offset(false, true, face) == 0.082);
+  Picture picture;
+  CHECK(line_floor(picture, face).angle_length == 0.068);
+  picture.noisy = true;
+  CHECK(line_floor(picture, axis).angle_length == 0.18);
 }
