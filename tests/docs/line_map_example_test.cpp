@@ -26,8 +26,7 @@ constexpr CannyOptions map_edges{.low = 40, .high = 110};
 Image<std::uint8_t> thin_wall() {
   Image<std::uint8_t> gray(Size{64, 48});
   for (std::int32_t y = 0; y < 48; ++y) {
-    for (std::int32_t x = 0; x < 64; ++x)
-      gray.at(x, y) = (y == 20 || y == 21) && x >= 12 && x < 52 ? 0 : 255;
+    for (std::int32_t x = 0; x < 64; ++x) gray.at(x, y) = (y == 20 || y == 21) && x >= 12 && x < 52 ? 0 : 255;
   }
   return gray;
 }
@@ -71,7 +70,7 @@ TEST_CASE("line-map.md: the thin wall becomes one axis") {
   CHECK(line.free == FreeSide::both);
   REQUIRE(line.covariance);
   CHECK(std::sqrt(line.covariance->var_offset) == Approx(0.292).margin(5e-4));
-  CHECK(std::sqrt(line.covariance->var_theta) == Approx(0.0034).margin(5e-5));
+  CHECK(std::sqrt(line.covariance->var_theta) == Approx(0.00335).margin(5e-6));
   REQUIRE(line.segments.size() == 1);
   CHECK(line.segments[0].x0 == Approx(19.88).margin(5e-3));
   CHECK(line.segments[0].x1 == Approx(-19.88).margin(5e-3));
