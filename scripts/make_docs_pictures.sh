@@ -29,4 +29,5 @@ for method in progressive randomized; do
     cp "$work/$method/progress-$moment.png" "$to/$method-$moment.png"
   done
 done
+bash scripts/make_line_map_pictures.sh "$straightedge"
 du -ch "$to"/*.png | tail -n 1

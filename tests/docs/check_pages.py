@@ -15,7 +15,7 @@ import sys
 MOST_PICTURE_BYTES = 1_500_000
 LINK = re.compile(r"!?\[(?:[^\[\]]|\[[^\]]*\])*\]\(([^()\s]*(?:\([^()]*\)[^()\s]*)*)\)")
 MARK = re.compile(r"<!-- options: (\S+) (\w+) -->")
-MEMBER = re.compile(r"^\s+[\w:<>]+ (\w+) = ([^;]+);", re.M)
+MEMBER = re.compile(r"^\s+[\w:<>]+ (\w+)\s*=\s*([^;]+);", re.M)
 TEST = re.compile(r"\]\(([^)]+\.cpp)\) \"([^\"]+)\"")
 
 
