@@ -28,12 +28,10 @@ struct LineMapOptions {
   PictureKind picture = PictureKind::automatic;
   CannyOptions canny{.low = 40, .high = 110};
   HoughOptions hough = line_map_hough;
-  double min_length = 9;  ///< pixels, 3..1e6; shorter segments are dropped
-  double max_gap = 10;       ///< pixels, 0..1e6; a hole in a wall up to this long is bridged
-  double max_wall_width =
-      3.6;  ///< pixels, 0..50; thinner walls become one axis, thicker ones keep both faces
-  double furniture_size =
-      26;  ///< pixels, 0..1e6; faces of things that stand alone and are no larger are dropped
+  double min_length = 9;        ///< pixels, 3..1e6; shorter segments are dropped
+  double max_gap = 10;          ///< pixels, 0..1e6; a hole in a wall up to this long is bridged
+  double max_wall_width = 3.6;  ///< pixels, 0..50; thinner walls become one axis, thicker keep both faces
+  double furniture_size = 26;   ///< pixels, 0..1e6; solid things that stand alone and fit in are dropped
   std::optional<RosMeaning> meaning;  ///< a ROS map's thresholds decide what is wall
 };
 
@@ -59,7 +57,23 @@ struct LineMapResult {
   LineMapReport report;
 };
 
-/// The whole way from gray picture to line map (docs/line-map.md).
+/// The whole way from gray picture to line map; each step's manual is in src/map (docs/line-map.md).
+///
+///  1. What the picture shows: map or photo, ground levels, noise.
+///  2. Edges by Canny; positions from the picture as given, directions from the stretched one.
+///  3. Straight edges: rounds of the Hough transform, each segment refit between the pixels.
+///  4. The two edges of a thin wall become its axis.
+///  5. Ends are read from the gray along each line, between the pixels.
+///  6. What the picture does not show as wall goes.
+///  7. Segments that lie on one another become one; small things that stand alone go.
+///  8. Segments of one infinite line share its fit.
+///  9. Corners are closed; what is too short goes.
+/// 10. The map's frame, normal form and covariance.
+/// Steps 4 to 6 and the furniture of step 7 are for maps alone.
+///
+/// Failures: bad_content (no pixels), bad_option (out of range, or a picture too large for the Hough
+/// transform: sides up to 32767). Time proportional to the pixels plus the lines; memory about 25 bytes a
+/// pixel.
 Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options = {});
 
 }  // namespace straightedge
