@@ -145,11 +145,27 @@ double darkest_across(GrayView gray, const WallLine& line, double s) {
   return darkest;
 }
 
+/// Occupancy across an axis, in pixels of full black: blur and antialiasing spread it but keep the sum.
+double black_across(GrayView gray, const WallLine& line, double s) {
+  const double aside = 0.5 * line.width + axis_clearance;
+  const double plus = gray_beside(gray, line, s, aside);
+  const double minus = gray_beside(gray, line, s, -aside);
+  double sum = 0;
+  for (double u = -aside + 0.5 * step; u < aside; u += step) {
+    sum += (u > 0 ? plus : minus) - gray_beside(gray, line, s, u);
+  }
+  return sum * step / 255;
+}
+
+/// By the map's threshold: some pixel across is dark enough, or a thin wall's darkness together is.
 bool is_wall(const Picture& picture, const WallLine& line) {
   if (picture.wall_below > 255) return true;
-  std::vector<double> cores;
-  for (double s = line.begin; s <= line.end; s += 1) cores.push_back(darkest_across(picture.gray, line, s));
-  return median(cores) < picture.wall_below;
+  std::vector<double> cores, blacks;
+  for (double s = line.begin; s <= line.end; s += 1) {
+    cores.push_back(darkest_across(picture.gray, line, s));
+    if (line.axis) blacks.push_back(black_across(picture.gray, line, s));
+  }
+  return median(cores) < picture.wall_below || median(blacks) > 1 - picture.wall_below / 255;
 }
 
 void find_free_sides(const Picture& picture, WallLine& line) {
