@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/detection_arguments.hpp"
 
-#include <algorithm>
-
 #include "cli/hough_arguments.hpp"
 #include "cli/number_option.hpp"
 #include "io/number_text.hpp"
@@ -45,8 +43,6 @@ Result<LineMapOptions> DetectionArguments::options(std::uint64_t seed) const {
   LineMapOptions options = given;
   options.canny = *edges;
   options.hough.seed = seed;
-  // Shorter segments can only come out when shorter ones are looked for.
-  options.hough.min_length = std::min(options.hough.min_length, options.min_length);
   return options;
 }
 

@@ -157,7 +157,8 @@ double black_across(GrayView gray, const WallLine& line, double s) {
   return sum * step / 255;
 }
 
-/// By the map's threshold: some pixel across is dark enough, or a thin wall's darkness together is.
+/// By the map's threshold: some pixel across is dark enough; in a soft picture, or a thin wall's darkness
+/// together is, for blur has spread it.
 bool is_wall(const Picture& picture, const WallLine& line) {
   if (picture.wall_below > 255) return true;
   std::vector<double> cores, blacks;
@@ -165,7 +166,8 @@ bool is_wall(const Picture& picture, const WallLine& line) {
     cores.push_back(darkest_across(picture.gray, line, s));
     if (line.axis) blacks.push_back(black_across(picture.gray, line, s));
   }
-  return median(cores) < picture.wall_below || median(blacks) > 1 - picture.wall_below / 255;
+  if (median(cores) < picture.wall_below) return true;
+  return picture.soft && median(blacks) > 1 - picture.wall_below / 255;
 }
 
 void find_free_sides(const Picture& picture, WallLine& line) {

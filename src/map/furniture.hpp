@@ -15,7 +15,8 @@ namespace straightedge {
 ///
 /// 1. Connected dark areas of the stretched picture (8-neighbours, darker than the half).
 /// 2. A face goes when the area on its dark side fits into `max_size` pixels in width and height and is
-///    thicker than a thin wall. What is no thicker stays, however short: a dashed wall is made of such pieces.
+///    thicker than a thin wall. What is no thicker stays, however short: a dashed wall is made of such
+///    pieces.
 /// Returns how many faces went.
 std::uint32_t drop_furniture(std::vector<WallLine>& lines, GrayView picture, double max_size,
                              double max_wall_width);

@@ -15,6 +15,7 @@
 #include "map/furniture.hpp"
 #include "map/merge.hpp"
 #include "map/picture.hpp"
+#include "map/strokes.hpp"
 #include "map/support.hpp"
 #include "map/walls.hpp"
 
@@ -72,6 +73,7 @@ Status detect_edges(const Picture& picture, const CannyOptions& options, Edges& 
 void read_walls(const Picture& picture, GrayView blurred, const LineMapOptions& options,
                 std::vector<WallLine>& lines, LineMapReport& report) {
   report.walls = join_thin_walls(lines, picture.stretched, options.max_wall_width);
+  report.walls += turn_strokes_to_axes(lines, picture.stretched, options.max_wall_width);
   const std::size_t before = lines.size();
   lines = measure_extents(lines, picture, blurred, {options.max_gap, options.max_wall_width});
   lines = keep_supported(lines, picture, {});

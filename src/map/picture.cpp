@@ -20,6 +20,7 @@ constexpr double ground_share = 0.06;
 constexpr int level_reach = 12;
 constexpr int even_reach = 20;
 constexpr std::int32_t block = 4;
+constexpr int soft_levels = 12;
 // A lone dark pixel is darker than all its neighbours by this much; specks lie evenly when a tenth of all
 // places has at least this share of the usual number.
 constexpr int lone_contrast = 80;
@@ -183,6 +184,15 @@ bool is_crisp(const Histogram& histogram, int black, int ground) {
   return between * 5 < mass_between(histogram, 0, black + margin - 1);
 }
 
+/// Whether there are many levels of gray between wall and ground, as blur and antialiasing make them.
+bool is_soft(const Histogram& histogram, int black, int ground) {
+  const int margin = (ground - black) / 10;
+  int levels = 0;
+  for (int v = black + margin; v <= ground - margin; ++v)
+    levels += histogram[static_cast<std::size_t>(v)] > 0 ? 1 : 0;
+  return levels >= soft_levels;
+}
+
 }  // namespace
 
 Picture understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning) {
@@ -211,6 +221,7 @@ Picture understand_picture(GrayView gray, PictureKind asked, const std::optional
   picture.stretched = through_table(picture.gray, stretch_table(black, ground));
   picture.noisy = is_grainy(picture.gray) || is_speckled(picture.gray);
   picture.crisp = is_crisp(histogram, black, ground);
+  picture.soft = is_soft(histogram, black, ground);
   if (!meaning && grounds.size() > 1) picture.free_above = 0.5 * (grounds.front() + grounds.back());
   return picture;
 }

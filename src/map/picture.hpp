@@ -20,9 +20,10 @@ struct Picture {
   Image<std::uint8_t> stretched;          ///< black = wall, white = ground; a photo as it is
   bool noisy = false;                     ///< grain or specks all over it
   bool crisp = false;                     ///< no gray between wall and ground
-  double ground = 255;                    ///< the darkest level of ground in `gray`
-  double wall_below = 256;                ///< a wall's core is darker than this in `gray`; 256: no such rule
-  double free_above = -1;                 ///< open floor is lighter than this in `gray`
+  bool soft = false;        ///< many grays between wall and ground: edges are blurred or antialiased
+  double ground = 255;      ///< the darkest level of ground in `gray`
+  double wall_below = 256;  ///< a wall's core is darker than this in `gray`; 256: no such rule
+  double free_above = -1;   ///< open floor is lighter than this in `gray`
 };
 
 Picture understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning);

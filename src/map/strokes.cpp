@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "map/strokes.hpp"
+
+#include "map/sample.hpp"
+
+namespace straightedge {
+namespace {
+
+constexpr double step = 0.5;
+constexpr double before = 2;    // pixels on the light side that blur darkens
+constexpr double behind = 2.5;  // pixels behind the thickest thin wall
+constexpr double half_dark = 0.5;
+constexpr double min_width = 0.3;
+constexpr double most = 0.75;  // of the face's length
+
+struct Stroke {
+  double width = 0;
+  double centre = 0;  ///< along the normal
+  bool thin = false;
+};
+
+/// Steps 1 and 2 at one place.
+Stroke stroke_at(GrayView picture, const WallLine& face, double s, double max_width) {
+  const double far = -max_width - behind;
+  Stroke stroke;
+  double dark = 0, moment = 0, last = 0;
+  for (double u = before; u >= far; u -= step) {
+    last = 1 - sample(picture, face.x_at(s) + u * face.nx, face.y_at(s) + u * face.ny) / 255;
+    dark += last;
+    moment += u * last;
+  }
+  stroke.width = dark * step;
+  stroke.centre = dark > 0 ? moment / dark : 0;
+  stroke.thin = stroke.width >= min_width && stroke.width <= max_width && last < half_dark;
+  return stroke;
+}
+
+}  // namespace
+
+std::uint32_t turn_strokes_to_axes(std::vector<WallLine>& lines, GrayView picture, double max_width) {
+  std::uint32_t turned = 0;
+  for (WallLine& line : lines) {
+    if (line.axis) continue;
+    double width = 0, centre = 0;
+    int places = 0, thin = 0;
+    for (double s = line.begin + 0.5; s < line.end; s += 1, ++places) {
+      const Stroke stroke = stroke_at(picture, line, s, max_width);
+      if (!stroke.thin) continue;
+      ++thin;
+      width += stroke.width;
+      centre += stroke.centre;
+    }
+    if (thin == 0 || thin < most * places) continue;
+    const double move = centre / thin;  // Step 3
+    line.origin_x += move * line.nx;
+    line.origin_y += move * line.ny;
+    line.fit.centroid_x += move * line.nx;
+    line.fit.centroid_y += move * line.ny;
+    line.axis = true;
+    line.width = width / thin;
+    ++turned;
+  }
+  return turned;
+}
+
+}  // namespace straightedge
