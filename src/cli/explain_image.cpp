@@ -126,7 +126,7 @@ Result<Done> explain_image(GrayView gray, const ExplainOptions& options, const f
   const GradientNorm norm = options.lines.canny.norm;
   const PictureScale scale = scale_of(*run, norm);
   const AccumulatorPicture accumulator = show_accumulator(*run);
-  const auto progress = show_progress(*run, options.lines.hough, scale);
+  const auto progress = show_progress(*run, first_round(options.lines), scale);
   auto files = picture_files(*run, gray, norm, scale, accumulator.picture, progress);
   if (!files) return files.failure();
   // Step 3.

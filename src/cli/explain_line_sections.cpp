@@ -121,7 +121,7 @@ io::HtmlTable segment_table(const ExplainRun& run) {
 }
 
 HtmlSection segment_section(const ExplainStory& story) {
-  const HoughOptions& options = story.options.lines.hough;
+  const HoughOptions options = first_round(story.options.lines);
   const HoughResult& hough = story.run.hough;
   const std::string method = name_of(options.method);
   const std::string threshold = options.method == HoughMethod::randomized

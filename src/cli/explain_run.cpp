@@ -93,9 +93,10 @@ Result<ExplainRun> run_stages(GrayView gray, const LineMapOptions& options) {
   run.picture = understand_picture(gray, options.picture, options.meaning);
   if (const Status status = run_canny(run.picture.stretched, options.canny, run); status != Status::ok)
     return failure_of("the edge detector", status);
-  if (const Status status = count_votes(options.hough, run); status != Status::ok)
+  if (const Status status = count_votes(first_round(options), run); status != Status::ok)
     return failure_of("the accumulator", status);
-  HoughFound found = hough_lines(run.edges, options.hough, {run.canny.gradient_x(), run.canny.gradient_y()});
+  HoughFound found =
+      hough_lines(run.edges, first_round(options), {run.canny.gradient_x(), run.canny.gradient_y()});
   if (found.result.status != Status::ok) return failure_of("the Hough transform", found.result.status);
   run.segments = std::move(found.segments);
   run.hough = found.result;

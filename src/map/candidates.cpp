@@ -54,9 +54,7 @@ Image<std::uint8_t> copy_of(GrayView image) {
 Status find_edges(GrayView edges, const GradientField& field, const LineMapOptions& options,
                   std::vector<WallLine>& lines, LineMapReport& report) {
   Image<std::uint8_t> mask = copy_of(edges);
-  HoughOptions hough = options.hough;
-  // Short segments can only come out when short ones are looked for.
-  hough.min_length = std::min(hough.min_length, options.min_length);
+  HoughOptions hough = first_round(options);
   RefitOptions refit;
   refit.max_gap = std::min(options.max_gap, 8.0);
   for (int round = 0; round < max_rounds; ++round) {

@@ -117,7 +117,7 @@ TEST_CASE("the progress ends where the run ends") {
   LineMapOptions options;
   options.hough.method = GENERATE(HoughMethod::progressive, HoughMethod::randomized);
   const ExplainRun run = run_of(explained::fixture("images/blox.jpg"), options);
-  const auto pictures = show_progress(run, options.hough, {.zoom = 1, .full_length = 1});
+  const auto pictures = show_progress(run, first_round(options), {.zoom = 1, .full_length = 1});
   REQUIRE(pictures.size() == 4);
   CHECK(pictures[0].lines == 1);
   for (std::size_t i = 1; i < pictures.size(); ++i) {

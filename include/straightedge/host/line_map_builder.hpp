@@ -35,6 +35,14 @@ struct LineMapOptions {
   std::optional<RosMeaning> meaning;  ///< a ROS map's thresholds decide what is wall
 };
 
+/// What the first round of the Hough transform is asked for: `hough`, but short segments can only come out
+/// when short ones are looked for.
+constexpr HoughOptions first_round(const LineMapOptions& options) noexcept {
+  HoughOptions hough = options.hough;
+  if (options.min_length < hough.min_length) hough.min_length = options.min_length;
+  return hough;
+}
+
 /// What happened on the way, stage by stage.
 struct LineMapReport {
   PictureKind picture = PictureKind::photo;  ///< what it was taken for
