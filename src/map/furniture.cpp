@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "map/furniture.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
+#include "map/area.hpp"
 #include "map/sample.hpp"
 #include "straightedge/host/image.hpp"
 
@@ -13,48 +13,24 @@ namespace {
 
 constexpr std::uint8_t dark_below = 128;
 
-struct Pixel {
-  std::int32_t x = 0, y = 0;
-};
-
-struct Box {
-  std::int32_t left = 0, right = 0, top = 0, bottom = 0;
-  std::int32_t side() const { return std::max(right - left, bottom - top) + 1; }
-};
-
-/// Step 1, for the one area that holds the seed; stops as soon as the area is larger than asked for.
+/// Step 1, for the one area that holds the seed.
 class AreaMeter {
  public:
   AreaMeter(GrayView picture, double max_size)
       : picture_(picture), max_size_(max_size), seen_(picture.size(), 0) {}
 
   bool is_small(Pixel seed) {
-    Box box{seed.x, seed.x, seed.y, seed.y};
-    std::vector<Pixel> filled{seed};
-    mark(seed);
-    for (std::size_t next = 0; next < filled.size() && box.side() <= max_size_; ++next) {
-      const Pixel at = filled[next];
-      box = {std::min(box.left, at.x), std::max(box.right, at.x), std::min(box.top, at.y),
-             std::max(box.bottom, at.y)};
-      for (std::int32_t k = 0; k < 9; ++k) {
-        const Pixel to{at.x + k % 3 - 1, at.y + k / 3 - 1};
-        if (!picture_.contains(to.x, to.y) || seen_.at(to.x, to.y) != 0 ||
-            picture_.at(to.x, to.y) >= dark_below)
-          continue;
-        mark(to);
-        filled.push_back(to);
-      }
-    }
-    for (const Pixel p : filled) seen_.at(p.x, p.y) = 0;
-    return box.side() <= max_size_;
+    const Square square = grow_area(seed, seen_.view(), max_size_, area_,
+                                    [&](Pixel p) { return picture_.at(p.x, p.y) < dark_below; });
+    for (const Pixel p : area_) seen_.at(p.x, p.y) = 0;
+    return square.side() <= max_size_;
   }
 
  private:
-  void mark(Pixel p) { seen_.at(p.x, p.y) = 1; }
-
   GrayView picture_;
   double max_size_;
   Image<std::uint8_t> seen_;
+  std::vector<Pixel> area_;
 };
 
 /// How far it is dark behind the face, on average, at most `most`.

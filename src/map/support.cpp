@@ -7,13 +7,14 @@
 #include <cstdint>
 #include <utility>
 
-#include "map/sample.hpp"
+#include "map/area.hpp"
 
 namespace straightedge {
 namespace {
 
 constexpr double step = 0.5;
 constexpr double nearby = 2.0;
+constexpr double unlimited = 1e9;
 constexpr double end_tolerance = 4;
 // A wall pixel has this share of the darkness that walls of the picture usually have, and need not have more
 // than `usual_dark` of full black.
@@ -80,34 +81,16 @@ int dark_from(const std::vector<WallLine>& lines, const Picture& picture, GrayVi
 
 /// Step 2: 255 on dark areas that are no crumbs.
 Image<std::uint8_t> solid_areas(GrayView darkness, int from, double min_piece) {
+  constexpr std::uint8_t crumb = 1;
   Image<std::uint8_t> solid(darkness.size());
-  const ImageView<std::uint8_t> mark = solid.view();
-  struct Pixel {
-    std::int32_t x, y;
-  };
+  const auto is_dark = [&](Pixel p) { return darkness.at(p.x, p.y) >= from; };
   std::vector<Pixel> area;
   for (std::int32_t y = 0; y < darkness.height; ++y) {
     for (std::int32_t x = 0; x < darkness.width; ++x) {
-      if (mark.at(x, y) != 0 || darkness.at(x, y) < from) continue;
-      area.assign(1, {x, y});
-      mark.at(x, y) = 255;
-      std::int32_t left = x, right = x, top = y, bottom = y;
-      for (std::size_t next = 0; next < area.size(); ++next) {
-        const Pixel at = area[next];
-        left = std::min(left, at.x);
-        right = std::max(right, at.x);
-        top = std::min(top, at.y);
-        bottom = std::max(bottom, at.y);
-        for (std::int32_t k = 0; k < 9; ++k) {
-          const Pixel to{at.x + k % 3 - 1, at.y + k / 3 - 1};
-          if (!darkness.contains(to.x, to.y) || mark.at(to.x, to.y) != 0 || darkness.at(to.x, to.y) < from)
-            continue;
-          mark.at(to.x, to.y) = 255;
-          area.push_back(to);
-        }
-      }
-      if (std::max(right - left, bottom - top) + 1 >= min_piece) continue;
-      for (const Pixel p : area) mark.at(p.x, p.y) = 1;  // seen, but a crumb
+      if (solid.at(x, y) != 0 || !is_dark({x, y})) continue;
+      const Square square = grow_area({x, y}, solid.view(), unlimited, area, is_dark);
+      if (square.side() >= min_piece) continue;
+      for (const Pixel p : area) solid.at(p.x, p.y) = crumb;
     }
   }
   return solid;
