@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "map/bridge.hpp"
 #include "map/candidates.hpp"
 #include "map/corners.hpp"
 #include "map/export.hpp"
@@ -130,6 +131,7 @@ Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& option
   }
   // Step 8: segments of one infinite line share its fit.
   const auto groups = group_collinear(lines, picture, merge);
+  if (picture.noisy) report.merged += bridge_pale_gaps(lines, groups, edges.canny.blurred());
   // Step 9: corners are closed; what is too short goes.
   if (picture.kind == PictureKind::map) close_corners(lines, helpers, corner_reach);
   const auto kept = long_enough(lines, groups, options.min_length);

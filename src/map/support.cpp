@@ -25,6 +25,10 @@ constexpr double pair_dark = 0.8;
 // In a noisy picture thin walls fall to pieces that are no crumbs.
 constexpr double noisy_dark_share = 0.45;
 constexpr double noisy_min_piece = 4;
+// Lines as noise makes them: pixels, and edge pixels a pixel of length. A wall's axis has two edges.
+constexpr double chance_length = 40;
+constexpr double chance_axis_density = 1.2;
+constexpr double chance_face_density = 0.5;
 
 struct Run {
   double begin = 0, end = 0;
@@ -120,6 +124,12 @@ std::vector<Run> runs_of(GrayView solid, const WallLine& line) {
   return runs;
 }
 
+/// Step 4: in noise, edge pixels line up by chance, but not many of them and not far.
+bool is_chance(const WallLine& line) {
+  const double least = line.axis ? chance_axis_density : chance_face_density;
+  return line.length() < chance_length && line.pixels < least * line.length();
+}
+
 }  // namespace
 
 std::vector<WallLine> keep_supported(const std::vector<WallLine>& lines, const Picture& picture,
@@ -144,6 +154,7 @@ std::vector<WallLine> keep_supported(const std::vector<WallLine>& lines, const P
       i = last + 1;
       if (covered < options.min_share * part.length()) continue;
       part.pixels = static_cast<std::uint32_t>(line.pixels * part.length() / line.length() + 0.5);
+      if (picture.noisy && is_chance(part)) continue;
       out.push_back(part);
     }
   }

@@ -23,6 +23,7 @@ struct SupportOptions {
 ///    dotted line of crumbs is no wall.
 /// 3. Along each segment, the stretches with dark area close by. Those with short gaps between them make a
 ///    segment; ends that lie near the old ones stay where they were measured.
+/// 4. In a noisy picture, short segments with few edge pixels are chance.
 /// Segments of which too little is supported are left out.
 std::vector<WallLine> keep_supported(const std::vector<WallLine>& lines, const Picture& picture,
                                      const SupportOptions& options);
