@@ -70,11 +70,11 @@ struct LineMapResult {
 ///  1. What the picture shows: map or photo, ground levels, noise.
 ///  2. Edges by Canny; positions from the picture as given, directions from the stretched one.
 ///  3. Straight edges: rounds of the Hough transform, each segment refit between the pixels.
-///  4. The two edges of a thin wall become its axis.
+///  4. The two edges of a thin wall become its axis; so does one, when the other was too ragged to be found.
 ///  5. Ends are read from the gray along each line, between the pixels.
 ///  6. What the picture does not show as wall goes.
 ///  7. Segments that lie on one another become one; small things that stand alone go.
-///  8. Segments of one infinite line share its fit.
+///  8. Segments of one infinite line share its fit; in noise, gaps that show the wall's contrast are bridged.
 ///  9. Corners are closed; what is too short goes.
 /// 10. The map's frame, normal form and covariance.
 /// Steps 4 to 6 and the furniture of step 7 are for maps alone.
