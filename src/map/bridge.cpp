@@ -27,19 +27,9 @@ double contrast(GrayView blurred, const WallLine& line, double begin, double end
   return places > 0 ? sum / places : 0;
 }
 
-struct Span {
-  double begin, end;
-};
-
-Span span_on(const WallLine& a, const WallLine& b) {
-  const double s0 = a.along(b.x_at(b.begin), b.y_at(b.begin));
-  const double s1 = a.along(b.x_at(b.end), b.y_at(b.end));
-  return {std::min(s0, s1), std::max(s0, s1)};
-}
-
 /// Whether the gap between a piece and the next one on its line is wall; then the piece takes the next.
 bool bridge(GrayView blurred, WallLine& piece, WallLine& next) {
-  const Span other = span_on(piece, next);
+  const Span other = piece.span_of(next);
   const double gap = other.begin - piece.end;
   if (gap <= 0 || gap > max_gap) return false;
   const double here = contrast(blurred, piece, piece.begin, piece.end);
@@ -62,7 +52,7 @@ std::uint32_t bridge_pale_gaps(std::vector<WallLine>& lines,
     const WallLine first = lines[group.front()];
     if (!first.axis) continue;
     std::stable_sort(group.begin(), group.end(), [&](std::size_t a, std::size_t b) {
-      return span_on(first, lines[a]).begin < span_on(first, lines[b]).begin;
+      return first.span_of(lines[a]).begin < first.span_of(lines[b]).begin;
     });
     std::size_t at = group.front();
     for (std::size_t k = 1; k < group.size(); ++k) {

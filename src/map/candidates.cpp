@@ -3,36 +3,16 @@
 #include "map/candidates.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstring>
-#include <memory>
 
 #include "map/select.hpp"
+#include "straightedge/host/hough_lines.hpp"
 
 namespace straightedge {
 namespace {
 
 constexpr int max_rounds = 3;
 constexpr double shortest_edge = 6;  // pixels; corners and thin walls need the short ones, too
-
-Status hough_segments(GrayView mask, const GradientField& field, const HoughOptions& options,
-                      std::vector<HoughSegment>& segments, HoughResult& result) {
-  const std::size_t bytes = HoughLines::workspace_bytes(mask.size(), options);
-  const auto workspace = std::make_unique_for_overwrite<std::byte[]>(bytes);
-  HoughLines hough;
-  const Status prepared = HoughLines::prepare(hough, mask.size(), options, {workspace.get(), bytes});
-  if (prepared != Status::ok) return prepared;
-  std::vector<HoughPeak> peaks;
-  std::size_t room = 4096;
-  do {
-    segments.resize(room);
-    if (options.method == HoughMethod::standard) peaks.resize(room);
-    result = hough.run(mask, GradientView{field.x, field.y}, peaks, segments);
-    room *= 4;
-  } while (result.status == Status::output_full && room <= (std::size_t{1} << 24));
-  segments.resize(result.segments);
-  return result.status == Status::output_full ? Status::ok : result.status;
-}
 
 /// What the next round asks for: less, for the long edges are gone.
 HoughOptions relaxed(HoughOptions options) {
@@ -58,15 +38,14 @@ Status find_edges(GrayView edges, const GradientField& field, const LineMapOptio
   RefitOptions refit;
   refit.max_gap = std::min(options.max_gap, 8.0);
   for (int round = 0; round < max_rounds; ++round) {
-    std::vector<HoughSegment> segments;
-    HoughResult result;
-    const Status status = hough_segments(mask, field, hough, segments, result);
-    if (status != Status::ok) return status;
-    if (round == 0) report.hough = result;
+    const HoughFound rough = hough_lines(mask, hough, {field.x, field.y});
+    if (rough.result.status != Status::ok) return rough.result.status;
+    if (round == 0) report.hough = rough.result;
     ++report.rounds;
-    if (segments.empty()) break;
-    report.candidates += static_cast<std::uint32_t>(segments.size());
-    const std::vector<WallLine> found = select_edges(segments, field, refit, shortest_edge, mask.view());
+    if (rough.segments.empty()) break;
+    report.candidates += rough.result.segments;
+    const std::vector<WallLine> found =
+        select_edges(rough.segments, field, refit, shortest_edge, mask.view());
     lines.insert(lines.end(), found.begin(), found.end());
     if (round == 0) hough = relaxed(hough);
   }

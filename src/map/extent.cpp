@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "map/median.hpp"
 #include "map/sample.hpp"
 
 namespace straightedge {
@@ -26,13 +27,6 @@ struct Track {
   std::vector<State> state;
   double at(std::size_t i) const { return first + step * static_cast<double>(i); }
 };
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double gray_beside(GrayView image, const WallLine& line, double s, double u) {
   return sample(image, line.x_at(s) + u * line.nx, line.y_at(s) + u * line.ny);

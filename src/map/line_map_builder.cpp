@@ -131,7 +131,8 @@ Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& option
   }
   // Step 8: segments of one infinite line share its fit.
   const auto groups = group_collinear(lines, picture, merge);
-  if (picture.noisy) report.merged += bridge_pale_gaps(lines, groups, edges.canny.blurred());
+  const std::uint32_t bridged = picture.noisy ? bridge_pale_gaps(lines, groups, edges.canny.blurred()) : 0;
+  report.merged += bridged;
   // Step 9: corners are closed; what is too short goes.
   if (picture.kind == PictureKind::map) close_corners(lines, helpers, corner_reach);
   const auto kept = long_enough(lines, groups, options.min_length);
@@ -141,7 +142,7 @@ Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& option
   for (const MapLine& line : out.map.lines)
     report.segments += static_cast<std::uint32_t>(line.segments.size());
   report.lines = static_cast<std::uint32_t>(out.map.lines.size());
-  report.too_short = static_cast<std::uint32_t>(helpers.size() + lines.size() - report.segments);
+  report.too_short = static_cast<std::uint32_t>(helpers.size() + lines.size() - bridged - report.segments);
   return out;
 }
 

@@ -27,17 +27,7 @@ double facing(const WallLine& a, const WallLine& b) {
   return a.nx * b.nx + a.ny * b.ny;
 }
 
-struct Span {
-  double begin = 0, end = 0;
-};
-
-Span span_on(const WallLine& a, const WallLine& b) {
-  const double s0 = a.along(b.x_at(b.begin), b.y_at(b.begin));
-  const double s1 = a.along(b.x_at(b.end), b.y_at(b.end));
-  return {std::min(s0, s1), std::max(s0, s1)};
-}
-
-/// The angle, and the larger distance of b's ends from a's line.
+/// Nearly parallel, and the nearer one of b's ends near a's line.
 bool near(const WallLine& a, const WallLine& b, double max_angle, double max_offset) {
   if (a.axis != b.axis) return false;
   const double cosine = facing(a, b);
@@ -59,7 +49,7 @@ LineMoments moments_about(const WallLine& line, double x, double y) {
 }
 
 void absorb(WallLine& a, const WallLine& b) {
-  const Span other = span_on(a, b);
+  const Span other = a.span_of(b);
   a.begin = std::min(a.begin, other.begin);
   a.end = std::max(a.end, other.end);
   if (a.axis) a.width = (a.width * a.pixels + b.width * b.pixels) / std::max(1U, a.pixels + b.pixels);
@@ -77,7 +67,7 @@ void absorb(WallLine& a, const WallLine& b) {
 bool trim(const WallLine& a, WallLine& b) {
   if (!near(a, b, same_direction, same_place)) return false;
   const double middle = 0.5 * (b.begin + b.end);
-  const Span on_b = span_on(b, a);
+  const Span on_b = b.span_of(a);
   const double common = std::min(b.end, on_b.end) - std::max(b.begin, on_b.begin);
   if (common <= 0) return false;
   const double inside = std::clamp(middle, std::max(b.begin, on_b.begin), std::min(b.end, on_b.end));
@@ -92,11 +82,6 @@ bool trim(const WallLine& a, WallLine& b) {
   return b.length() < 2;
 }
 
-void sort_longest_first(std::vector<WallLine>& lines) {
-  std::stable_sort(lines.begin(), lines.end(),
-                   [](const WallLine& a, const WallLine& b) { return a.length() > b.length(); });
-}
-
 /// Step 1. Lines that were absorbed get length zero.
 void join_touching(std::vector<WallLine>& lines, const Picture& picture, const MergeOptions& options) {
   const LineGrid grid(lines, options.touching + options.max_offset);
@@ -106,7 +91,7 @@ void join_touching(std::vector<WallLine>& lines, const Picture& picture, const M
       grown = false;
       for (const std::size_t j : grid.near(lines[i])) {
         if (j <= i || !(lines[j].length() > 0)) continue;
-        const Span other = span_on(lines[i], lines[j]);
+        const Span other = lines[i].span_of(lines[j]);
         if (other.begin > lines[i].end + options.touching || other.end < lines[i].begin - options.touching)
           continue;
         if (!same_line(lines[i], lines[j], picture, options)) continue;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "map/area.hpp"
+#include "map/median.hpp"
 
 namespace straightedge {
 namespace {
@@ -77,10 +78,8 @@ int dark_from(const std::vector<WallLine>& lines, const Picture& picture, GrayVi
     }
   }
   if (cores.empty()) return 1;
-  const auto middle = cores.begin() + static_cast<std::ptrdiff_t>(cores.size() / 2);
-  std::nth_element(cores.begin(), middle, cores.end());
   const double dark = picture.wall_below <= 255 ? 1 - picture.wall_below / picture.ground : usual_dark;
-  return static_cast<int>(std::min(255 * dark, share * *middle)) + 1;
+  return static_cast<int>(std::min(255 * dark, share * median(cores))) + 1;
 }
 
 /// Step 2: 255 on dark areas that are no crumbs.

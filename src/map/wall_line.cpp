@@ -2,7 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "map/wall_line.hpp"
 
+#include <algorithm>
+
 namespace straightedge {
+
+Span WallLine::span_of(const WallLine& other) const {
+  const double s0 = along(other.x_at(other.begin), other.y_at(other.begin));
+  const double s1 = along(other.x_at(other.end), other.y_at(other.end));
+  return {std::min(s0, s1), std::max(s0, s1)};
+}
 
 void WallLine::adopt(const LineMoments& sums, double about_x, double about_y) {
   LineFit better;
@@ -20,6 +28,11 @@ void WallLine::adopt(const LineMoments& sums, double about_x, double about_y) {
   ny = side * better.normal_y;
   begin = along(x0, y0);
   end = along(x1, y1);
+}
+
+void sort_longest_first(std::vector<WallLine>& lines) {
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const WallLine& a, const WallLine& b) { return a.length() > b.length(); });
 }
 
 WallLine wall_line_from(const RefinedSegment& segment, std::uint32_t votes) {

@@ -3,11 +3,18 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "straightedge/line_fit.hpp"
 #include "straightedge/segment_refit.hpp"
 
 namespace straightedge {
+
+/// A stretch along a line.
+struct Span {
+  double begin = 0, end = 0;
+  double length() const { return end - begin; }
+};
 
 /// A straight piece of wall on its way into the map: one face of a thick wall (or any edge of a photo), or
 /// the axis of a thin one. Coordinates are columns and rows, the first pixel's centre is (0, 0).
@@ -35,10 +42,15 @@ struct WallLine {
   double x_at(double s) const { return fit.centroid_x + s * tx(); }
   double y_at(double s) const { return fit.centroid_y + s * ty(); }
 
+  /// Where the other line lies, along this one.
+  Span span_of(const WallLine& other) const;
+
   /// Takes new moments (about an origin of its own) and the line that they make; end points stay where
   /// they are in the picture, moved onto the new line.
   void adopt(const LineMoments& sums, double about_x, double about_y);
 };
+
+void sort_longest_first(std::vector<WallLine>& lines);
 
 /// The axis or face as the Hough transform's refit left it.
 WallLine wall_line_from(const RefinedSegment& segment, std::uint32_t votes);

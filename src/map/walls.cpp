@@ -16,17 +16,10 @@ constexpr double cos_parallel = 0.985;  // 10 degrees
 // Blur moves the edges of a thin wall apart by up to this many pixels.
 constexpr double blur_spread = 3.0;
 
-struct Overlap {
-  double begin = 0;
-  double end = 0;
-  double length() const { return end - begin; }
-};
-
 /// Where b runs beside a, along a.
-Overlap beside(const WallLine& a, const WallLine& b) {
-  const double s0 = a.along(b.x_at(b.begin), b.y_at(b.begin));
-  const double s1 = a.along(b.x_at(b.end), b.y_at(b.end));
-  return {std::max(a.begin, std::min(s0, s1)), std::min(a.end, std::max(s0, s1))};
+Span beside(const WallLine& a, const WallLine& b) {
+  const Span other = a.span_of(b);
+  return {std::max(a.begin, other.begin), std::min(a.end, other.end)};
 }
 
 /// How far b lies on the dark side of a, at a place s along a.
@@ -38,7 +31,7 @@ double dark_distance(const WallLine& a, const WallLine& b, double s) {
 /// Step 1.
 bool opposite(const WallLine& a, const WallLine& b, double max_distance) {
   if (a.axis || b.axis || a.nx * b.nx + a.ny * b.ny > -cos_parallel) return false;
-  const Overlap both = beside(a, b);
+  const Span both = beside(a, b);
   if (both.length() < std::min(4.0, 0.5 * b.length())) return false;
   const double d0 = dark_distance(a, b, both.begin);
   const double d1 = dark_distance(a, b, both.end);
@@ -46,7 +39,7 @@ bool opposite(const WallLine& a, const WallLine& b, double max_distance) {
 }
 
 /// Step 2: mean over the stretch of the darkness across the wall, in pixels of black.
-double wall_width(GrayView picture, const WallLine& a, Overlap stretch, double distance) {
+double wall_width(GrayView picture, const WallLine& a, Span stretch, double distance) {
   constexpr double step = 0.25;
   const double reach = 0.5 * distance + 2.5;
   double sum = 0;
@@ -70,15 +63,13 @@ void add_side(const WallLine& side, double move, double about_x, double about_y,
 
 /// The part of a face that an axis does not stand for, if there is one worth keeping: the longer end.
 bool left_over(const WallLine& axis, WallLine& face) {
-  const double s0 = face.along(axis.x_at(axis.begin), axis.y_at(axis.begin));
-  const double s1 = face.along(axis.x_at(axis.end), axis.y_at(axis.end));
-  const double lo = std::min(s0, s1), hi = std::max(s0, s1);
-  const double before = lo - face.begin, after = face.end - hi;
+  const Span gone = face.span_of(axis);
+  const double before = gone.begin - face.begin, after = face.end - gone.end;
   if (std::max(before, after) < 8) return false;
   if (before > after) {
-    face.end = lo;
+    face.end = gone.begin;
   } else {
-    face.begin = hi;
+    face.begin = gone.end;
   }
   return true;
 }
@@ -96,7 +87,7 @@ Opposites find_opposites(const std::vector<WallLine>& lines, std::size_t i, cons
   Opposites found;
   for (const std::size_t j : grid.near(lines[i])) {
     if (j == i || used[j] || !opposite(lines[i], lines[j], max_width + blur_spread)) continue;
-    const Overlap both = beside(lines[i], lines[j]);
+    const Span both = beside(lines[i], lines[j]);
     const double distance =
         0.5 * (dark_distance(lines[i], lines[j], both.begin) + dark_distance(lines[i], lines[j], both.end));
     const double width = wall_width(picture, lines[i], both, distance);
@@ -159,8 +150,7 @@ bool is_absorbed(const std::vector<WallLine>& axes, const LineGrid& grid, WallLi
 
 std::uint32_t join_thin_walls(std::vector<WallLine>& lines, GrayView picture, double max_width) {
   const double max_distance = max_width + blur_spread;
-  std::stable_sort(lines.begin(), lines.end(),
-                   [](const WallLine& a, const WallLine& b) { return a.length() > b.length(); });
+  sort_longest_first(lines);
   const LineGrid grid(lines, max_distance);
   std::vector<bool> used(lines.size(), false);
   std::vector<WallLine> axes;
