@@ -13,7 +13,7 @@ enum class [[nodiscard]] Status : std::uint8_t {
   output_full,          ///< the caller's output is full; what is in it is valid
   cancelled,            ///< a trace asked to stop; what was found until then is valid
   invalid_option,       ///< an option is not a number or outside its range
-  invalid_image,        ///< a view is null or its sizes, strides or values make no sense
+  invalid_image,        ///< a view (pixels, depth, points) is null or its sizes or values make no sense
   size_mismatch,        ///< two views that belong together, or a view and `prepare`, differ in size
   too_large,            ///< the image is larger than the algorithm's numbers can hold
   workspace_too_small,  ///< fewer bytes than `workspace_bytes` says
@@ -27,7 +27,7 @@ constexpr const char* to_string(Status status) noexcept {
     case Status::output_full: return "the output is full; more was found than it holds";
     case Status::cancelled: return "stopped by the caller";
     case Status::invalid_option: return "an option is not a number or out of its range";
-    case Status::invalid_image: return "the image has no pixels or its stride is too small";
+    case Status::invalid_image: return "the input has no pixels or points, or its stride or camera makes no sense";
     case Status::size_mismatch: return "the sizes of two images that belong together differ";
     case Status::too_large: return "the image is too large for this algorithm";
     case Status::workspace_too_small: return "the workspace is smaller than workspace_bytes says";

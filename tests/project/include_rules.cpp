@@ -20,12 +20,14 @@ const std::map<std::string, Names> may_include = {
     {"canny", {"base"}},
     {"fit", {"base"}},
     {"hough", {"base", "fit"}},
-    {"host", {"base", "canny", "fit", "hough"}},
-    {"map", {"base", "canny", "fit", "hough", "host"}},
-    {"io", {"base", "canny", "map", "host"}},
-    {"cli", {"base", "canny", "fit", "hough", "host", "map", "io"}},
+    {"ransac", {"base", "fit"}},
+    {"octree", {"base"}},
+    {"host", {"base", "canny", "fit", "hough", "ransac", "octree"}},
+    {"map", {"base", "canny", "fit", "hough", "ransac", "octree", "host"}},
+    {"io", {"base", "canny", "fit", "map", "host"}},
+    {"cli", {"base", "canny", "fit", "hough", "ransac", "octree", "host", "map", "io"}},
 };
-const Names core_modules = {"base", "canny", "fit", "hough"};
+const Names core_modules = {"base", "canny", "fit", "hough", "ransac", "octree"};
 
 // Standard headers that need neither heap nor run-time support.
 const Names core_headers = {"algorithm", "array",   "bit",     "climits", "compare",     "concepts",
@@ -35,7 +37,7 @@ const Names core_headers = {"algorithm", "array",   "bit",     "climits", "compa
 // Other people's libraries and the one module that may see each.
 const std::map<std::string, Names> library_users = {
     {"tinyxml2.h", {"io"}}, {"stb", {"io"}},   {"png.h", {"io"}},      {"zlib.h", {"io"}},
-    {"yaml-cpp/", {"io"}},  {"CLI/", {"cli"}}, {"nlohmann/", {"cli"}}, {"Eigen/", {"map"}},
+    {"yaml-cpp/", {"io"}},  {"CLI/", {"cli"}}, {"nlohmann/", {"cli", "io"}}, {"Eigen/", {"map"}},
     {"opencv", {}},         {"boost/", {}},    {"pcl/", {}},
 };
 

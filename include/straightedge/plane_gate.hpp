@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace straightedge {
+
+/// How far from a plane a reading may lie and still be one of the plane's.
+///
+/// Structured-light and stereo sensors measure disparity, so the noise of 1/z is the same everywhere and
+/// that of z grows with z²: sigma_z = inverse_sigma · z². K. Khoshelham, S. O. Elberink, "Accuracy and
+/// Resolution of Kinect Depth Data for Indoor Mapping Applications", Sensors 12(2), 2012,
+/// doi:10.3390/s120201437.
+struct PlaneGate {
+  double inverse_sigma = 1.425e-3;  ///< standard deviation of 1/z, 1/metre; above 0
+  double sigmas = 3;                ///< the threshold in standard deviations; above 0
+  double fixed_m = 0;               ///< above 0: a threshold in metres at every range takes their place
+
+  constexpr bool valid() const noexcept {
+    return inverse_sigma > 0 && inverse_sigma < 1 && sigmas > 0 && sigmas <= 100 && fixed_m >= 0 &&
+           fixed_m <= 1000;
+  }
+  /// Metres along the ray's z at this depth.
+  constexpr double threshold_m(double z) const noexcept {
+    return fixed_m > 0 ? fixed_m : sigmas * inverse_sigma * z * z;
+  }
+};
+
+}  // namespace straightedge
