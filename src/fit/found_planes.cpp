@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "straightedge/found_planes.hpp"
+
+#include <array>
+#include <limits>
+
+namespace straightedge {
+namespace {
+
+constexpr std::size_t block = 128;
+constexpr std::size_t planes_in_a_pass = 16;
+
+/// Some points in doubles; what is no reading is NaN and therefore near to no plane.
+struct Block {
+  std::array<double, block> x, y, z, limit, residual, label;
+
+  void load(const PointsView& points, std::size_t first, std::size_t size, const PlaneGate& gate) noexcept {
+    const bool fixed = gate.fixed_m > 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      const Vector3 p = points.at(first + i);
+      const bool reading = finite(p) && (fixed || p.z > 0);
+      x[i] = reading ? p.x : std::numeric_limits<double>::quiet_NaN();
+      y[i] = p.y;
+      z[i] = p.z;
+      limit[i] = fixed ? gate.fixed_m : gate.sigmas * gate.inverse_sigma * p.z;
+      residual[i] = std::numeric_limits<double>::infinity();
+      label[i] = 0;
+    }
+  }
+
+  void offer(const Plane& plane, double plane_label, bool fixed) noexcept {
+    // Without a fixed threshold: m·p = 1 is the plane, and (m·p − 1)/z the residual of 1/z.
+    const double scale = fixed ? 1 : 1 / plane.distance;
+    const Vector3 m = scale * plane.normal;
+    const double offset = scale * plane.distance;
+    for (std::size_t i = 0; i < block; ++i) {
+      const double signed_residual = m.x * x[i] + m.y * y[i] + m.z * z[i] - offset;
+      const double size = signed_residual < 0 ? -signed_residual : signed_residual;
+      const bool better = (size < residual[i]) & (size <= limit[i]);
+      residual[i] = better ? size : residual[i];
+      label[i] = better ? plane_label : label[i];
+    }
+  }
+};
+
+/// A plane's sums, counted from its first point.
+struct Sums {
+  PlaneMoments moments;
+  Vector3 origin;
+};
+
+/// 1/sigma² along the normal of a reading on the plane. The depth is taken from the plane, not from the
+/// reading: weights that follow the noise would pull the plane towards the sensor.
+double weight_of(const Vector3& p, const Plane& plane, const PlaneGate& gate) noexcept {
+  // Seen nearly edge-on the width of a pixel takes over from the noise along its ray.
+  constexpr double least_incidence = 0.02;
+  double sigma = gate.fixed_m / 3;
+  if (!(gate.fixed_m > 0)) {
+    const double along_normal = dot(plane.normal, p);
+    const double ratio = along_normal > 0 ? plane.distance / along_normal : 1;
+    const double z = ratio > 0.5 && ratio < 2 ? ratio * p.z : p.z;
+    const double incidence = (along_normal < 0 ? -along_normal : along_normal) / p.z;
+    sigma = gate.inverse_sigma * z * z * (incidence > least_incidence ? incidence : least_incidence);
+  }
+  return 1 / (sigma * sigma);
+}
+
+void sum_labelled(const PointsView& points, std::span<const std::uint16_t> labels, const PlaneGate& gate,
+                  std::span<const FoundPlane> planes, std::size_t first, std::span<Sums> sums) noexcept {
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const std::size_t plane = labels[i] - std::size_t{1};
+    if (plane - first >= sums.size()) continue;
+    const Vector3 p = points.at(i);
+    if (!finite(p) || !(gate.fixed_m > 0 || p.z > 0)) continue;
+    Sums& sum = sums[plane - first];
+    if (sum.moments.count == 0) sum.origin = p;
+    sum.moments.add(p - sum.origin, weight_of(p, planes[plane].fit.plane, gate));
+  }
+}
+
+}  // namespace
+
+Status label_nearest(const PointsView& points, std::span<const FoundPlane> planes, const PlaneGate& gate,
+                     std::span<std::uint16_t> labels, std::uint32_t& labelled) noexcept {
+  labelled = 0;
+  if (!points.valid()) return Status::invalid_image;
+  if (!gate.valid()) return Status::invalid_option;
+  if (labels.size() != points.count) return Status::size_mismatch;
+  if (planes.size() > std::numeric_limits<std::uint16_t>::max()) return Status::too_large;
+  Block points_here{};
+  for (std::size_t first = 0; first < points.count; first += block) {
+    const std::size_t size = points.count - first < block ? points.count - first : block;
+    points_here.load(points, first, size, gate);
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      points_here.offer(planes[i].fit.plane, static_cast<double>(i + 1), gate.fixed_m > 0);
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      labels[first + i] = static_cast<std::uint16_t>(points_here.label[i]);
+      labelled += labels[first + i] != 0 ? 1U : 0U;
+    }
+  }
+  return Status::ok;
+}
+
+Status refit_labelled(const PointsView& points, std::span<const std::uint16_t> labels, const PlaneGate& gate,
+                      std::span<FoundPlane> planes) noexcept {
+  if (!points.valid()) return Status::invalid_image;
+  if (!gate.valid()) return Status::invalid_option;
+  if (labels.size() != points.count) return Status::size_mismatch;
+  for (std::size_t first = 0; first < planes.size(); first += planes_in_a_pass) {
+    const std::size_t left = planes.size() - first;
+    std::array<Sums, planes_in_a_pass> memory{};
+    const std::span<Sums> sums(memory.data(), left < planes_in_a_pass ? left : planes_in_a_pass);
+    sum_labelled(points, labels, gate, planes, first, sums);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      FoundPlane& plane = planes[first + i];
+      plane.inliers = static_cast<std::uint32_t>(sums[i].moments.count);
+      PlaneFit fit;
+      if (fit_plane(sums[i].moments, fit) == Status::ok) {
+        plane.fit = moved(fit, {1, 0, 0, 0, 1, 0, 0, 0, 1}, sums[i].origin);
+      }
+    }
+  }
+  return Status::ok;
+}
+
+}  // namespace straightedge
