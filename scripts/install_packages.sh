@@ -7,7 +7,7 @@
 #   tests    that, and what the tests, examples, benchmarks and the second compiler need (default)
 set -euo pipefail
 
-packages=(g++ cmake ninja-build pkg-config libeigen3-dev libtinyxml2-dev libstb-dev
+packages=(g++ cmake ninja-build pkg-config libeigen3-dev libtinyxml2-dev libstb-dev libpng-dev
   libyaml-cpp-dev libcli11-dev nlohmann-json3-dev)
 case "${1:-tests}" in
   program) ;;

@@ -89,13 +89,11 @@ class Values {
     return available >= values * (header.maximum > 255 ? 2 : 1);
   }
 
-  /// The next value, scaled to 8 bits.
+  /// The next value as the file has it; 0 after a failure.
   std::uint32_t next() {
     const std::uint32_t value = header_.plain ? next_text() : next_binary();
     if (value > header_.maximum) failed_ = "has a value above its stated maximum";
-    if (header_.maximum == 255) return value & 255;
-    if (header_.maximum == 65535) return value >> 8;
-    return failed_ != nullptr ? 0 : (value * 255 + header_.maximum / 2) / header_.maximum;
+    return failed_ != nullptr ? 0 : value;
   }
 
   const char* failed() const { return failed_; }
@@ -120,6 +118,12 @@ class Values {
   const char* failed_ = nullptr;
 };
 
+std::uint8_t scaled_to_8_bits(std::uint32_t value, std::uint32_t maximum) {
+  if (maximum == 255) return static_cast<std::uint8_t>(value);
+  if (maximum == 65535) return static_cast<std::uint8_t>(value >> 8);
+  return static_cast<std::uint8_t>((value * 255 + maximum / 2) / maximum);
+}
+
 }  // namespace
 
 bool is_netpbm(std::string_view bytes) noexcept {
@@ -139,13 +143,30 @@ Result<Image<std::uint8_t>> decode_netpbm(std::string_view bytes, const std::str
   std::vector<std::uint8_t> row(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels(format)));
   Values values(bytes, *header);
   for (std::int32_t y = 0; y < gray.height() && values.failed() == nullptr; ++y) {
-    for (std::uint8_t& value : row) value = static_cast<std::uint8_t>(values.next());
+    for (std::uint8_t& value : row) value = scaled_to_8_bits(values.next(), header->maximum);
     const ColorView colours{row.data(), width, 1, static_cast<std::ptrdiff_t>(row.size()), format};
     const Status status = gray_from_color(colours, {gray.view().row(y), {width, 1}});
     if (status != Status::ok) return Failure{Problem::internal, name + ": " + to_string(status)};
   }
   if (values.failed() != nullptr) return bad(name, values.failed());
   return gray;
+}
+
+Result<Image<std::uint16_t>> decode_netpbm16(std::string_view bytes, const std::string& name) {
+  const auto header = read_header(bytes, name);
+  if (!header) return header.failure();
+  if (header->coloured) return bad(name, "is a colour picture; depth is one 16-bit gray value a pixel");
+  if (header->maximum < 256)
+    return bad(name, "is an 8-bit gray picture; depth is one 16-bit gray value a pixel");
+  if (!Values::can_hold(bytes.size() - header->length, *header)) return bad(name, "is truncated");
+
+  Image<std::uint16_t> raw(header->size);
+  Values values(bytes, *header);
+  for (std::int32_t y = 0; y < raw.height() && values.failed() == nullptr; ++y) {
+    for (std::int32_t x = 0; x < raw.width(); ++x) raw.at(x, y) = static_cast<std::uint16_t>(values.next());
+  }
+  if (values.failed() != nullptr) return bad(name, values.failed());
+  return raw;
 }
 
 }  // namespace straightedge::io

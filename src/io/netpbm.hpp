@@ -19,4 +19,7 @@ bool is_netpbm(std::string_view bytes) noexcept;
 /// the upper byte is kept.
 Result<Image<std::uint8_t>> decode_netpbm(std::string_view bytes, const std::string& name);
 
+/// A 16-bit PGM file (a maximum above 255) with its values as they are. Colour and 8 bits are refused.
+Result<Image<std::uint16_t>> decode_netpbm16(std::string_view bytes, const std::string& name);
+
 }  // namespace straightedge::io

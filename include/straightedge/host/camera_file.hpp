@@ -29,8 +29,11 @@ struct DepthCamera {
   constexpr bool operator==(const DepthCamera&) const noexcept = default;
 };
 
-/// `{"fx","fy","cx","cy","depth_scale","width","height"}`, the last three optional, and optional
-/// `k1 k2 p1 p2 k3`. bad_content: no JSON, a missing or wrong number, fx or fy zero, depth_scale <= 0.
+/// A JSON object `{"fx","fy","cx","cy","depth_scale","width","height"}`, the last three and `k1 k2 p1 p2 k3`
+/// optional (width and height only together); Open3D's, with K column by column as `intrinsic_matrix`, in
+/// place of the first four; or a text file with the 3x3 matrix K row by row. Other keys are passed over.
+/// bad_content: none of these, a missing or wrong number, fx or fy zero, skew, depth_scale <= 0, a picture
+/// without pixels or of more than 2^28.
 Result<DepthCamera> read_camera(const std::filesystem::path& file);
 
 }  // namespace straightedge

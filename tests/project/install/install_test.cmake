@@ -56,8 +56,8 @@ endif()
 # find_package
 set(found -DCMAKE_PREFIX_PATH=${prefix})
 consume("core only" ${found} -DCOMPONENTS=core -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON
-        -DCMAKE_DISABLE_FIND_PACKAGE_yaml-cpp=ON)
-consume("core and host" ${found} -DCOMPONENTS=core,host)
+        -DCMAKE_DISABLE_FIND_PACKAGE_yaml-cpp=ON -DCMAKE_DISABLE_FIND_PACKAGE_PNG=ON)
+consume("core and host" ${found} -DCOMPONENTS=core,host -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON)
 consume("no components" ${found})
 if(NOT EXISTS "${WORK}/no components/host")
   message(FATAL_ERROR "without components find_package did not give the host library")
