@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "io/map_rules.hpp"
 #include "io/number_text.hpp"
 #include "straightedge/host/line_geometry.hpp"
 #include "straightedge/host/map_file.hpp"
@@ -12,10 +13,8 @@
 namespace straightedge {
 namespace {
 
-constexpr double relative_tolerance = 1e-6;
-
 bool finite(std::initializer_list<double> values) {
-  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  return io::all_finite({values.begin(), values.size()});
 }
 
 /// Collects breaches, and knows which element is being looked at.
@@ -95,7 +94,7 @@ class Checker {
       return report_segment(segment, "an end is not finite");
     }
     if (ends[0] == ends[1]) return report_segment(segment, "its length is zero");
-    const double tolerance = relative_tolerance * std::max(1.0, size_of(segment));
+    const double tolerance = io::off_feature_tolerance * std::max(1.0, size_of(segment));
     for (const Point2 end : ends) {
       const double distance = std::abs(signed_distance(end, line.rho, line.theta));
       if (!(distance <= tolerance)) {
@@ -132,17 +131,11 @@ class Checker {
         segments.push_back({map_.lines[i].segments[k].id, i, k});
       }
     }
-    const auto for_each_repeated = [](std::vector<Place>& places, auto&& report) {
-      std::sort(places.begin(), places.end());
-      for (std::size_t i = 1; i < places.size(); ++i) {
-        if (places[i].id == places[i - 1].id) report(places[i]);
-      }
-    };
-    for_each_repeated(lines, [&](const Place& place) {
+    io::for_each_repeated(std::move(lines), [&](const Place& place) {
       line_ = place.line;
       report_line("another line has the same id");
     });
-    for_each_repeated(segments, [&](const Place& place) {
+    io::for_each_repeated(std::move(segments), [&](const Place& place) {
       line_ = place.line;
       segment_ = place.segment;
       report_segment(map_.lines[line_].segments[segment_], "another segment has the same id");

@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <tinyxml2.h>
 
-#include <new>
 #include <string_view>
 
-#include "io/free_side_text.hpp"
-#include "io/read_bytes.hpp"
+#include "io/map_xml.hpp"
 #include "io/ros_mode_text.hpp"
-#include "io/xml_document.hpp"
-#include "io/xml_element.hpp"
-#include "straightedge/host/map_file.hpp"
+#include "io/side_text.hpp"
 
 namespace straightedge {
 namespace {
@@ -19,7 +15,7 @@ using io::XmlBreach;
 using io::XmlElement;
 
 /// A map and where its elements stand in the text, so that breaches of the rules can name the line.
-struct Reading {
+struct LineMapReading {
   struct LinePlace {
     int line = 0;
     std::vector<int> segments;
@@ -28,37 +24,14 @@ struct Reading {
   int image_line = 1;
   std::vector<LinePlace> lines;
 
+  void read(const tinyxml2::XMLElement& root);
+  std::vector<MapBreach> check() const { return check_line_map(map); }
   int line_of(const MapBreach& breach) const {
     if (!breach.line) return image_line;
     const LinePlace& place = lines[*breach.line];
     return breach.segment ? place.segments[*breach.segment] : place.line;
   }
 };
-
-void read_root(const XmlElement& root, std::string_view name) {
-  if (name != "map" || root.text("format").value_or("") != "straightedge-map") {
-    throw XmlBreach{root.line(), "is not a straightedge-map"};
-  }
-  const int version = root.required_number<int>("version");
-  if (version > map_format_version) {
-    throw XmlBreach{root.line(), "was written by a newer version (format version " + std::to_string(version) +
-                                     ", and up to " + std::to_string(map_format_version) + " is read here)"};
-  }
-  if (version < 1) root.refuse("the format's version is below 1");
-  const std::string kind = root.required_text("kind");
-  if (kind == "planes") throw XmlBreach{root.line(), "is a map of planes where a map of lines is wanted"};
-  if (kind != "lines") root.refuse("`kind` is neither \"lines\" nor \"planes\"");
-}
-
-MapMeta read_meta(const XmlElement& element) {
-  MapMeta meta;
-  meta.name = element.text("name").value_or("");
-  meta.created = element.text("created").value_or("");
-  meta.tool = element.text("tool").value_or("");
-  meta.options = element.text("options").value_or("");
-  meta.description = element.text("description").value_or("");
-  return meta;
-}
 
 MapUnit read_frame(const XmlElement& element) {
   element.expect("x", "right");
@@ -129,7 +102,7 @@ MapSegment read_segment(const XmlElement& element) {
   return segment;
 }
 
-void read_line(const tinyxml2::XMLElement& node, Reading& reading) {
+void read_line(const tinyxml2::XMLElement& node, LineMapReading& reading) {
   const XmlElement element(node);
   MapLine line;
   line.id = element.required_number<std::uint32_t>("id");
@@ -140,11 +113,11 @@ void read_line(const tinyxml2::XMLElement& node, Reading& reading) {
   line.count = element.number<std::uint32_t>("count");
   line.source = element.text("source");
   if (const auto free = element.text("free")) {
-    const auto side = io::free_side_from_text(*free);
+    const auto side = io::side_from_text<FreeSide>(*free);
     if (!side) element.refuse("`free` is none of +, - and both");
     line.free = *side;
   }
-  Reading::LinePlace place{element.line(), {}};
+  LineMapReading::LinePlace place{element.line(), {}};
   for (const auto* child = node.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
     const std::string_view name = child->Name();
     if (name == "covariance") {
@@ -159,11 +132,8 @@ void read_line(const tinyxml2::XMLElement& node, Reading& reading) {
   reading.lines.push_back(std::move(place));
 }
 
-Reading read_map(const std::string& xml) {
-  tinyxml2::XMLDocument document;
-  const tinyxml2::XMLElement& root = io::parse_document(document, xml);
-  read_root(XmlElement(root), root.Name());
-  Reading reading;
+void LineMapReading::read(const tinyxml2::XMLElement& root) {
+  io::require_kind(XmlElement(root), MapKind::lines);
   int metas = 0;
   int frames = 0;
   for (const auto* child = root.FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
@@ -171,63 +141,33 @@ Reading read_map(const std::string& xml) {
     const std::string_view name = child->Name();
     if (name == "meta") {
       if (++metas == 2) element.refuse("stands there twice");
-      reading.map.meta = read_meta(element);
+      map.meta = io::read_meta(element);
     } else if (name == "frame") {
       if (++frames == 2) element.refuse("stands there twice");
-      reading.map.unit = read_frame(element);
+      map.unit = read_frame(element);
     } else if (name == "image") {
-      if (reading.map.image) element.refuse("stands there twice");
-      reading.map.image = read_image(element);
-      reading.image_line = element.line();
+      if (map.image) element.refuse("stands there twice");
+      map.image = read_image(element);
+      image_line = element.line();
     } else if (name == "line") {
-      read_line(*child, reading);
+      read_line(*child, *this);
     }
   }
   if (frames == 0) throw XmlBreach{root.GetLineNum(), "has no `frame`, so its unit is unknown"};
-  return reading;
-}
-
-std::string sentence_of(const std::string& name, int line, const std::string& sentence) {
-  return name + ":" + std::to_string(line) + ": " + sentence;
-}
-
-Result<Reading> read_text(const std::string& xml, const std::string& name) try {
-  if (xml.size() > max_map_file_bytes) return Failure{Problem::bad_content, name + ": is longer than 256 MB"};
-  return read_map(xml);
-} catch (const XmlBreach& breach) {
-  return Failure{Problem::bad_content, sentence_of(name, breach.line, breach.sentence)};
-} catch (const std::bad_alloc&) {
-  return Failure{Problem::cannot_read, name + ": does not fit into memory"};
 }
 
 }  // namespace
 
 Result<LineMap> line_map_from_xml(const std::string& xml, const std::string& name) {
-  auto reading = read_text(xml, name);
-  if (!reading) return reading.failure();
-  if (const auto breaches = check_line_map(reading->map); !breaches.empty()) {
-    const MapBreach& first = breaches.front();
-    return Failure{Problem::bad_content, sentence_of(name, reading->line_of(first), first.sentence)};
-  }
-  return std::move(reading->map);
+  return io::map_from_xml<LineMapReading>(xml, name);
 }
 
 Result<LineMap> read_line_map(const std::filesystem::path& file) {
-  const auto xml = io::read_bytes(file, max_map_file_bytes);
-  if (!xml) return xml.failure();
-  return line_map_from_xml(*xml, file.string());
+  return io::read_map_file<LineMapReading>(file);
 }
 
 Result<std::vector<std::string>> validate_line_map(const std::filesystem::path& file) {
-  const auto xml = io::read_bytes(file, max_map_file_bytes);
-  if (!xml) return xml.failure();
-  const auto reading = read_text(*xml, file.string());
-  if (!reading) return reading.failure();
-  std::vector<std::string> sentences;
-  for (const MapBreach& breach : check_line_map(reading->map)) {
-    sentences.push_back(sentence_of(file.string(), reading->line_of(breach), breach.sentence));
-  }
-  return sentences;
+  return io::validate_map_file<LineMapReading>(file);
 }
 
 }  // namespace straightedge

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <concepts>
 #include <cstdint>
@@ -39,11 +40,20 @@ inline std::string to_text(double value, int decimals) {
   return {text, end.ptr};
 }
 
+inline constexpr std::string_view blanks = " \t\r\n";
+
+/// Takes the next word off the front of the text; empty when there is none.
+constexpr std::string_view take_word(std::string_view& text) noexcept {
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(blanks));
+  text.remove_prefix(word.size());
+  return word;
+}
+
 /// The number that the whole text is, blanks around it and a leading plus allowed; none when it is
 /// not one or does not fit the type. "nan" and "inf" are numbers here.
 template <class Number>
 std::optional<Number> number_from_text(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   text = text.substr(first, text.find_last_not_of(blanks) - first + 1);

@@ -14,22 +14,39 @@ int line_at(std::string_view xml, std::size_t at) {
   return 1 + static_cast<int>(std::count(xml.begin(), xml.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
-/// Only before the root element can there be a document type, and with it entities to expand.
-void refuse_document_type(std::string_view xml) {
+/// Where the root element begins, or the end. Only before the root can there be a document type, and with it
+/// entities to expand: it is refused.
+std::size_t skip_prolog(std::string_view xml) {
   std::size_t at = xml.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   while (true) {
-    at = xml.find_first_not_of(" \t\r\n", at);
-    if (at == std::string_view::npos) return;
+    at = xml.find_first_not_of(blanks, at);
+    if (at == std::string_view::npos) return xml.size();
     const std::string_view rest = xml.substr(at);
     const bool comment = rest.starts_with("<!--");
     if (!comment && rest.starts_with("<!"))
       throw XmlBreach{line_at(xml, at), "has a document type, which is not read"};
-    if (!comment && !rest.starts_with("<?")) return;
+    if (!comment && !rest.starts_with("<?")) return at;
     const std::string_view end = comment ? "-->" : "?>";
     at = xml.find(end, at + 2);
-    if (at == std::string_view::npos) return;
+    if (at == std::string_view::npos) return xml.size();
     at += end.size();
   }
+}
+
+/// The position of the > that ends the tag at `at`, quoted ones passed over; the end when there is none.
+std::size_t end_of_tag(std::string_view xml, std::size_t at) {
+  char quote = 0;
+  for (; at < xml.size(); ++at) {
+    const char c = xml[at];
+    if (quote != 0) {
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '>') {
+      return at;
+    }
+  }
+  return xml.size();
 }
 
 std::string reason_of(tinyxml2::XMLError error) {
@@ -59,7 +76,7 @@ const tinyxml2::XMLElement& parse_document(tinyxml2::XMLDocument& document, cons
   if (const std::size_t zero = xml.find('\0'); zero != std::string::npos) {
     throw XmlBreach{line_at(xml, zero), "is not XML: it holds a zero byte"};
   }
-  refuse_document_type(xml);
+  (void)skip_prolog(xml);
   if (document.Parse(xml.data(), xml.size()) != tinyxml2::XML_SUCCESS) {
     throw XmlBreach{document.ErrorLineNum(), "is not well-formed XML: " + reason_of(document.ErrorID())};
   }
@@ -73,6 +90,12 @@ const tinyxml2::XMLElement& parse_document(tinyxml2::XMLDocument& document, cons
     }
   }
   return *root;
+}
+
+const tinyxml2::XMLElement& parse_root_tag(tinyxml2::XMLDocument& document, const std::string& xml) {
+  std::string head = xml.substr(0, end_of_tag(xml, skip_prolog(xml)));
+  if (head.size() < xml.size()) head += head.ends_with('/') ? ">" : "/>";
+  return parse_document(document, head);
 }
 
 }  // namespace straightedge::io

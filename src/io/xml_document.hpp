@@ -12,4 +12,7 @@ namespace straightedge::io {
 /// well-formed, for a document type, for zero bytes and for content after the root.
 const tinyxml2::XMLElement& parse_document(tinyxml2::XMLDocument& document, const std::string& xml);
 
+/// Reads no further than the root's own tag, whose attributes it gives; what follows may be anything.
+const tinyxml2::XMLElement& parse_root_tag(tinyxml2::XMLDocument& document, const std::string& xml);
+
 }  // namespace straightedge::io

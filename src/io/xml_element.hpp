@@ -4,8 +4,10 @@
 
 #include <tinyxml2.h>
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "io/number_text.hpp"
 #include "straightedge/host/result.hpp"
@@ -25,12 +27,19 @@ class XmlElement {
  public:
   explicit XmlElement(const tinyxml2::XMLElement& element) : element_(element) {}
 
+  std::string_view name() const { return element_.Name(); }
   int line() const { return element_.GetLineNum(); }
 
-  /// "line 12" or, without an id, "image".
+  /// "line 12"; without an id of its own "line 12, covariance" or, where nothing around it has one, "image".
   std::string title() const {
-    const char* id = element_.Attribute("id");
-    return std::string(element_.Name()) + (id != nullptr ? std::string(" ") + id : std::string());
+    std::string title = element_.Name();
+    if (const char* id = element_.Attribute("id")) return title + " " + id;
+    for (const auto* above = element_.Parent()->ToElement(); above != nullptr;
+         above = above->Parent()->ToElement()) {
+      if (const char* id = above->Attribute("id"))
+        return std::string(above->Name()) + " " + id + ", " + title;
+    }
+    return title;
   }
 
   [[noreturn]] void refuse(const std::string& what) const { throw XmlBreach{line(), title() + ": " + what}; }
@@ -46,10 +55,27 @@ class XmlElement {
     const auto value = text(name);
     if (!value) return {};
     const auto number = number_from_text<Number>(*value);
-    if (!number) {
-      refuse(std::string("`") + name + "` is not a number of its range (\"" + value->substr(0, 40) + "\")");
-    }
+    if (!number) refuse_number(name, *value);
     return number;
+  }
+
+  /// As many numbers as `Count`, blanks between them.
+  template <std::size_t Count>
+  std::array<double, Count> required_numbers(const char* name) const {
+    const std::string value = required_text(name);
+    std::string_view rest = value;
+    std::array<double, Count> numbers{};
+    std::size_t count = 0;
+    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++count) {
+      const auto number = number_from_text<double>(word);
+      if (!number) refuse_number(name, word);
+      if (count < Count) numbers[count] = *number;
+    }
+    if (count != Count) {
+      refuse(std::string("`") + name + "` holds " + std::to_string(count) + " numbers where " +
+             std::to_string(Count) + " are wanted");
+    }
+    return numbers;
   }
 
   std::string required_text(const char* name) const { return required(text(name), name); }
@@ -66,6 +92,11 @@ class XmlElement {
   }
 
  private:
+  [[noreturn]] void refuse_number(const char* name, std::string_view value) const {
+    refuse(std::string("`") + name + "` is not a number of its range (\"" + std::string(value.substr(0, 40)) +
+           "\")");
+  }
+
   template <class Value>
   Value required(std::optional<Value> value, const char* name) const {
     if (!value) refuse(std::string("has no `") + name + "`");

@@ -141,7 +141,7 @@ TEST_CASE("lines and segments that break a rule are named by id and line") {
         "m.xml:6: line 3: `free` is none of +, - and both");
   CHECK(refusal_of(replaced("var-theta=\"2.9e-06\"", "var-theta=\"-1\"")) ==
         "m.xml:6: line 3: the covariance is not positive semi-definite: a variance is negative");
-  CHECK(refusal_of(replaced("var-theta=\"2.9e-06\" ", "")) == "m.xml:7: covariance: has no `var-theta`");
+  CHECK(refusal_of(replaced("var-theta=\"2.9e-06\" ", "")) == "m.xml:7: line 3, covariance: has no `var-theta`");
   CHECK(refusal_of(replaced("y1=\"101.25\" pixels=\"30\"", "y1=\"101.5\"")) ==
         "m.xml:9: line 3, segment 11: an end lies 0.25 off its line");
   CHECK(refusal_of(replaced("x0=\"120.5\"", "x0=\"-120.5\"")) ==

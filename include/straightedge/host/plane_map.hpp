@@ -35,7 +35,7 @@ struct MapMoments {
 };
 
 struct MapPlane {
-  std::uint32_t id = 0;  ///< unique in the map; 1 and up, so that 0 is free for "no plane" in label images
+  std::uint32_t id = 0;  ///< unique in the map; found planes count from 1: 0 is "no plane" in label images
   Plane plane;
   std::optional<std::uint64_t> points;  ///< readings that carry it
   std::optional<std::uint32_t> count;   ///< frames it was seen in
