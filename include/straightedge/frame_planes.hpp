@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "straightedge/arena.hpp"
+#include "straightedge/depth_cells.hpp"
+#include "straightedge/depth_view.hpp"
+#include "straightedge/found_planes.hpp"
+#include "straightedge/inverse_depth.hpp"
+
+namespace straightedge {
+
+/// A plane that a search proposes; which pixels are its own is settled afterwards.
+struct PlaneCandidate {
+  InverseDepthFit fit;
+  double score = 0;              ///< as FoundPlane::score
+  double confidence = 0;         ///< as FoundPlane::confidence
+  std::uint32_t iterations = 0;  ///< as FoundPlane::iterations
+};
+
+/// The method: looks at the readings (inverse depth above 0) whose label is 0 and writes planes, strongest
+/// first; returns how many. RANSAC and the Hough transform are two of them (ransac_frame.hpp,
+/// hough_frame.hpp).
+struct PlaneSearch {
+  void* user = nullptr;
+  std::uint32_t (*run)(void* user, ImageView<const float> inverse_depth,
+                       ImageView<const std::uint16_t> labels, const PinholeCamera& camera,
+                       std::span<PlaneCandidate> out) noexcept = nullptr;
+};
+
+struct FramePlanesOptions {
+  PlaneGate gate;
+  /// A plane with fewer pixels leaves; 0: one thousandth of the picture, at least 64.
+  std::uint32_t min_pixels = 0;
+  std::uint32_t max_planes = 64;  ///< at most 256
+  std::uint32_t rounds = 2;       ///< searches, each on what the ones before left over; 1 to 8
+  /// Neighbours of a reading share its noise; so many pixels count as one independent reading. 1 to 1000.
+  double noise_pixels = 28;
+  bool reject_curved = true;  ///< flat strips of balls and pillars are no planes
+};
+
+/// All planes of a depth frame, with a label for each pixel, from the candidates of any search.
+///
+///  1. Inverse depth of every pixel; its sums over cells of 4 to 32 pixels (depth_cells.hpp).
+///  2. The search proposes planes.
+///  3. Every cell takes a plane, coarse to fine: a cell of 32 pixels the plane that fits it, if one does; a
+///     smaller cell one of the planes around it, if one fits; else the best of all. So a plane that
+///     cuts through the wall behind it gets no stripe there: the wall's cells have their wall already.
+///  4. Planes are fitted anew to their cells; those that are one (chi-square in inverse depth, with a floor)
+///     are joined, wherever in the picture they lie; step 3 again.
+///  5. A plane without solid pieces (cells that touch) is a stripe along a crease and leaves. One whose solid
+///     pieces are bent (a quadratic surface fits them better by more than chance, radius below 2 m)
+///     is a strip of something round: it leaves with its cells.
+///  6. Steps 2 to 5 again on the pixels that are left over.
+///  7. Pixels: where all cells around agree, a pixel is its plane's if it lies within the gate; elsewhere it
+///  goes to
+///     the nearest of the planes around, judged by the mean over the 3x3 pixels of its own surface.
+///  8. Last fit to all pixels of each label; planes with too few leave; largest first.
+///
+/// Overlap-based comparison of range image segmentation: A. Hoover et al., IEEE PAMI 18(7), 1996,
+/// doi:10.1109/34.506791. Moments in cells: P. Proença, Y. Gao, "Fast cylinder and plane extraction from
+/// depth cameras for visual odometry", IROS 2018, doi:10.1109/IROS.2018.8593683.
+///
+/// Linear in pixels, and in cells times planes for cells that no plane around fits. Memory: about 12 bytes a
+/// pixel. A frame without readings has no planes: an empty result.
+class FramePlanes {
+ public:
+  static constexpr std::size_t workspace_bytes(Size size, const FramePlanesOptions& options) noexcept {
+    Arena arena = Arena::measure();
+    FramePlanes counted;
+    counted.take(arena, size, options);
+    return arena.used();
+  }
+
+  /// invalid_option: an option out of its range; too_large: more than 2^28 pixels.
+  Status prepare(Size size, const FramePlanesOptions& options, std::span<std::byte> workspace) noexcept;
+
+  /// `labels` has the frame's size; `planes` as many entries as planes are wanted (output_full when more
+  /// were found; the smaller ones then are unlabelled). Label k is planes[k − 1].
+  Status run(const DepthView& depth, const PlaneSearch& search, ImageView<std::uint16_t> labels,
+             std::span<FoundPlane> planes, PlanesFound& found) noexcept;
+
+  /// 1/z of the last frame; 0 where there is no reading, and on what was found to be round.
+  ImageView<const float> inverse_depth() const noexcept { return inverse_depth_; }
+  const DepthCells& cells() const noexcept { return cells_; }
+  /// Labels of the cells of a level after the last assignment (before planes were sorted by size).
+  std::span<const std::uint16_t> cell_labels(int level) const noexcept {
+    return cell_labels_[static_cast<std::size_t>(level)];
+  }
+
+ private:
+  constexpr void take(Arena& arena, Size size, const FramePlanesOptions& options) noexcept {
+    size_ = size;
+    const std::size_t pixels = DepthCells::cell_count(size);
+    inverse_depth_ = {arena.take<float>(pixels).data(), size};
+    cells_.take(arena, size);
+    for (int level = 0; level < DepthCells::levels; ++level) {
+      cell_labels_[static_cast<std::size_t>(level)] =
+          arena.take<std::uint16_t>(DepthCells::cell_count(DepthCells::size_of(size, level)));
+    }
+    const std::size_t small_cells = DepthCells::cell_count(DepthCells::size_of(size, 0));
+    visited_ = arena.take<std::uint16_t>(small_cells);
+    list_ = arena.take<std::int32_t>(small_cells);
+    candidates_ = arena.take<PlaneCandidate>(options.max_planes);
+    moments_ = arena.take<InverseDepthMoments>(options.max_planes);
+  }
+  void search_round(const DepthView& depth, const PlaneSearch& search, ImageView<std::uint16_t> labels,
+                    PlanesFound& found) noexcept;
+  void assign_cells() noexcept;
+  void refit() noexcept;
+  void drop_empty() noexcept;
+  void judge(const PinholeCamera& camera) noexcept;
+  Status finish(const DepthView& depth, ImageView<std::uint16_t> labels, std::span<FoundPlane> planes,
+                PlanesFound& found) noexcept;
+
+  Size size_{};
+  FramePlanesOptions options_{};
+  bool prepared_ = false;
+  std::uint32_t min_pixels_ = 0;
+  ImageView<float> inverse_depth_;
+  DepthCells cells_;
+  std::array<std::span<std::uint16_t>, DepthCells::levels> cell_labels_{};
+  std::span<std::uint16_t> visited_;
+  std::span<std::int32_t> list_;
+  std::span<PlaneCandidate> candidates_;
+  std::span<InverseDepthMoments> moments_;
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace straightedge

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "straightedge/depth_cells.hpp"
+#include "straightedge/frame_planes.hpp"
+
+namespace straightedge::detail {
+
+using CellLabels = std::array<std::span<std::uint16_t>, DepthCells::levels>;
+
+/// Step 3 of frame_planes.hpp: every cell of every level takes one of the planes (its index + 1) or none (0).
+void label_cells(const DepthCells& cells, std::span<const PlaneCandidate> planes, const PlaneGate& gate,
+                 const CellLabels& labels) noexcept;
+
+}  // namespace straightedge::detail

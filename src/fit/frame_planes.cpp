@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "straightedge/frame_planes.hpp"
+
+#include <algorithm>
+
+#include "cell_labels.hpp"
+#include "join_planes.hpp"
+#include "pixel_labels.hpp"
+#include "plane_shape.hpp"
+
+namespace straightedge {
+namespace {
+
+constexpr std::uint32_t most_planes = 256;
+
+bool valid(const FramePlanesOptions& o) noexcept {
+  return o.gate.valid() && o.max_planes >= 1 && o.max_planes <= most_planes && o.rounds >= 1 &&
+         o.rounds <= 8 && o.noise_pixels >= 1 && o.noise_pixels <= 1000;
+}
+
+/// Indices of the planes, the one with most pixels first, then in their order.
+void sort_by_pixels(std::span<const InverseDepthMoments> moments, std::span<std::uint16_t> order) noexcept {
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    std::size_t place = i;
+    while (place > 0 && moments[order[place - 1]].n < moments[i].n) {
+      order[place] = order[place - 1];
+      --place;
+    }
+    order[place] = static_cast<std::uint16_t>(i);
+  }
+}
+
+std::uint32_t relabel(ImageView<std::uint16_t> labels,
+                      const std::array<std::uint16_t, most_planes + 1>& by) noexcept {
+  std::uint32_t labelled = 0;
+  for (std::int32_t y = 0; y < labels.height; ++y) {
+    std::uint16_t* row = labels.row(y);
+    for (std::int32_t x = 0; x < labels.width; ++x) {
+      row[x] = by[row[x]];
+      labelled += row[x] != 0 ? 1U : 0U;
+    }
+  }
+  return labelled;
+}
+
+}  // namespace
+
+Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
+                            std::span<std::byte> workspace) noexcept {
+  prepared_ = false;
+  if (!valid(options)) return Status::invalid_option;
+  if (size.width < 1 || size.height < 1) return Status::invalid_image;
+  const std::size_t pixels = DepthCells::cell_count(size);
+  if (pixels > std::size_t{1} << 28U) return Status::too_large;
+  Arena arena(workspace);
+  take(arena, size, options);
+  if (arena.failed()) return Status::workspace_too_small;
+  options_ = options;
+  const auto share = static_cast<std::uint32_t>(pixels / 1000);
+  min_pixels_ = options.min_pixels > 0 ? options.min_pixels : std::max(share, 64U);
+  prepared_ = true;
+  return Status::ok;
+}
+
+void FramePlanes::assign_cells() noexcept {
+  // Step 3.
+  detail::label_cells(cells_, candidates_.first(count_), options_.gate, cell_labels_);
+}
+
+void FramePlanes::refit() noexcept {
+  // Step 4.
+  for (std::uint32_t k = 0; k < count_; ++k) moments_[k] = {};
+  const std::span<InverseDepthMoments> cells = cells_.level(0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cell_labels_[0][i] != 0) moments_[cell_labels_[0][i] - 1U].add(cells[i]);
+  }
+  drop_empty();
+  count_ = detail::join_planes(candidates_.first(count_), moments_.first(count_), options_);
+}
+
+void FramePlanes::drop_empty() noexcept {
+  std::uint32_t kept = 0;
+  for (std::uint32_t k = 0; k < count_; ++k) {
+    PlaneCandidate candidate = candidates_[k];
+    if (moments_[k].n < min_pixels_ / 2.0) continue;
+    if (fit_inverse_depth(moments_[k], options_.gate.inverse_sigma, candidate.fit) != Status::ok) continue;
+    candidates_[kept] = candidate;
+    moments_[kept] = moments_[k];
+    ++kept;
+  }
+  count_ = kept;
+}
+
+void FramePlanes::judge(const PinholeCamera& camera) noexcept {
+  // Step 5.
+  const detail::ShapeMemory memory{visited_, list_};
+  std::fill(visited_.begin(), visited_.end(), std::uint16_t{0});
+  std::uint32_t kept = 0;
+  bool changed = false;
+  for (std::uint32_t k = 0; k < count_; ++k) {
+    std::size_t solid = 0;
+    const auto label = static_cast<std::uint16_t>(k + 1);
+    const detail::PlaneShape shape =
+        detail::plane_shape(cells_, cell_labels_[0], label, candidates_[k].fit.plane, options_, min_pixels_,
+                            camera, memory, solid);
+    if (shape == detail::PlaneShape::flat) candidates_[kept++] = candidates_[k];
+    if (shape != detail::PlaneShape::bent) continue;
+    changed = true;
+    for (const std::int32_t cell : list_.first(solid)) {
+      cells_.level(0)[static_cast<std::size_t>(cell)] = {};
+      const Size size = cells_.size(0);
+      const std::int32_t left = cell % size.width * DepthCells::side,
+                         top = cell / size.width * DepthCells::side;
+      for (std::int32_t y = top; y < std::min(top + DepthCells::side, size_.height); ++y) {
+        for (std::int32_t x = left; x < std::min(left + DepthCells::side, size_.width); ++x) {
+          inverse_depth_.at(x, y) = 0;
+        }
+      }
+    }
+  }
+  count_ = kept;
+  if (changed) cells_.sum_up();
+}
+
+void FramePlanes::search_round(const DepthView& depth, const PlaneSearch& search,
+                               ImageView<std::uint16_t> labels, PlanesFound& found) noexcept {
+  // Step 2.
+  const std::span<PlaneCandidate> room = candidates_.subspan(count_);
+  const std::uint32_t added = search.run(search.user, inverse_depth_, labels, depth.camera, room);
+  for (std::uint32_t k = 0; k < added; ++k) found.iterations += room[k].iterations;
+  count_ += added;
+  assign_cells();
+  refit();
+  assign_cells();
+  judge(depth.camera);
+  assign_cells();
+}
+
+Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, ImageView<std::uint16_t> labels,
+                        std::span<FoundPlane> planes, PlanesFound& found) noexcept {
+  if (!prepared_) return Status::not_prepared;
+  if (!depth.valid() || !labels.valid() || search.run == nullptr) return Status::invalid_image;
+  if (depth.raw.size() != size_ || labels.size() != size_) return Status::size_mismatch;
+  found = {};
+  count_ = 0;
+  // Step 1.
+  const Status read = inverse_depth_image(depth, inverse_depth_);
+  if (read != Status::ok) return read;
+  cells_.build(inverse_depth_);
+  double readings = 0;
+  for (const InverseDepthMoments& cell : cells_.level(DepthCells::levels - 1)) readings += cell.n;
+  found.readings = static_cast<std::uint32_t>(readings);
+  for (std::int32_t y = 0; y < labels.height; ++y) std::fill_n(labels.row(y), labels.width, std::uint16_t{0});
+  // Steps 2 to 6.
+  for (std::uint32_t round = 0; round < options_.rounds; ++round) {
+    if (round > 0) {
+      detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], candidates_.first(count_), options_.gate,
+                           labels, moments_);
+    }
+    search_round(depth, search, labels, found);
+  }
+  return finish(depth, labels, planes, found);
+}
+
+Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labels,
+                           std::span<FoundPlane> planes, PlanesFound& found) noexcept {
+  // Step 7.
+  refit();
+  assign_cells();
+  judge(depth.camera);
+  assign_cells();
+  detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], candidates_.first(count_), options_.gate,
+                       labels, moments_);
+  // Step 8.
+  std::array<std::uint16_t, most_planes> order{};
+  sort_by_pixels(moments_.first(count_), std::span(order).first(count_));
+  std::array<std::uint16_t, most_planes + 1> new_label{};
+  Status status = Status::ok;
+  for (std::uint32_t i = 0; i < count_; ++i) {
+    const InverseDepthMoments& m = moments_[order[i]];
+    const PlaneCandidate& candidate = candidates_[order[i]];
+    InverseDepthFit fit;
+    FoundPlane plane;
+    const double sigma = options_.gate.inverse_sigma * __builtin_sqrt(options_.noise_pixels);
+    if (m.n < min_pixels_ || fit_inverse_depth(m, sigma, fit) != Status::ok ||
+        to_plane_fit(fit, sigma, depth.camera, plane.fit) != Status::ok) {
+      continue;
+    }
+    if (found.planes == planes.size()) {
+      status = Status::output_full;
+      break;
+    }
+    plane.inliers = static_cast<std::uint32_t>(m.n);
+    plane.iterations = candidate.iterations;
+    plane.confidence = candidate.confidence;
+    plane.score = candidate.score;
+    planes[found.planes++] = plane;
+    new_label[order[i] + 1U] = static_cast<std::uint16_t>(found.planes);
+  }
+  found.labelled = relabel(labels, new_label);
+  return status;
+}
+
+}  // namespace straightedge

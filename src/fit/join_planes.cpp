@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "join_planes.hpp"
+
+#include <algorithm>
+
+#include "inverse_noise.hpp"
+
+namespace straightedge::detail {
+namespace {
+
+// One true pair in a hundred lies further apart (chi-square, 3 degrees of freedom).
+constexpr double chi_square_gate = 11.34;
+// Errors of the sensor that no number of readings averages away: planes half a standard deviation of one
+// reading apart (root mean square over the smaller one) are one in any case.
+constexpr double floor_deviations = 0.5;
+
+/// What it costs, in squared residuals, that both have one plane instead of their own.
+bool are_one(const PlaneCandidate& a, const InverseDepthMoments& of_a, const PlaneCandidate& b,
+             const InverseDepthMoments& of_b, const FramePlanesOptions& options,
+             InverseDepthFit& both) noexcept {
+  InverseDepthMoments sum = of_a;
+  sum.add(of_b);
+  const double noise = inverse_noise(options.gate, sum.q / sum.n);
+  if (fit_inverse_depth(sum, noise, both) != Status::ok) return false;
+  const double apart = squared_residuals(of_a, a.fit.plane) + squared_residuals(of_b, b.fit.plane);
+  const double cost = (squared_residuals(sum, both.plane) - apart) / (noise * noise);
+  const double floor = floor_deviations * floor_deviations * std::min(of_a.n, of_b.n);
+  return cost < chi_square_gate * options.noise_pixels + floor;
+}
+
+}  // namespace
+
+std::uint32_t join_planes(std::span<PlaneCandidate> planes, std::span<InverseDepthMoments> moments,
+                          const FramePlanesOptions& options) noexcept {
+  std::size_t count = planes.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count;) {
+      InverseDepthFit both;
+      if (!are_one(planes[i], moments[i], planes[j], moments[j], options, both)) {
+        ++j;
+        continue;
+      }
+      planes[i].fit = both;
+      planes[i].score += planes[j].score;
+      planes[i].confidence = std::max(planes[i].confidence, planes[j].confidence);
+      planes[i].iterations += planes[j].iterations;
+      moments[i].add(moments[j]);
+      --count;
+      for (std::size_t k = j; k < count; ++k) {
+        planes[k] = planes[k + 1];
+        moments[k] = moments[k + 1];
+      }
+      j = i + 1;  // the joined plane has moved: those that were refused may fit now
+    }
+  }
+  return static_cast<std::uint32_t>(count);
+}
+
+}  // namespace straightedge::detail

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "straightedge/depth_cells.hpp"
+#include "straightedge/frame_planes.hpp"
+
+namespace straightedge::detail {
+
+enum class PlaneShape : std::uint8_t {
+  flat,    ///< a plane
+  stripe,  ///< no solid pieces: pixels along a crease or an edge
+  bent,    ///< a strip of a ball, a pillar, a curtain
+};
+
+/// Memory for `plane_shape`: one entry for each cell of level 0.
+struct ShapeMemory {
+  std::span<std::uint16_t> visited;  ///< all zero before the first plane
+  std::span<std::int32_t> list;
+};
+
+/// Step 5 of frame_planes.hpp: judges plane `label`, whose cells of level 0 carry it in `cell_labels`.
+/// `solid` is how many entries of the list are the cells of its solid pieces afterwards.
+///
+/// 1. Solid pieces: from the plane's cells, flood over touching cells whose readings lie on the plane,
+///    whoever has them; a piece with too few cells of the plane's own is none.
+/// 2. Stripe: solid pieces hold less than half of the plane's cells.
+/// 3. Bent: least squares of 1, u, v, uu, uv, vv to the means of the solid cells, by Cholesky's
+/// decomposition; the last
+///    three terms' share is the bend.
+PlaneShape plane_shape(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
+                       std::uint16_t label, const InverseDepthPlane& plane, const FramePlanesOptions& options,
+                       double min_pixels, const PinholeCamera& camera, const ShapeMemory& memory,
+                       std::size_t& solid) noexcept;
+
+}  // namespace straightedge::detail
