@@ -52,7 +52,7 @@ struct FramePlanesOptions {
 ///     smaller cell one of the planes around it, if one fits; else the best of all. So a plane that
 ///     cuts through the wall behind it gets no stripe there: the wall's cells have their wall already.
 ///  4. Planes are fitted anew to their cells; those that are one (chi-square in inverse depth, with a floor)
-///     are joined, wherever in the picture they lie; step 3 again.
+///     are joined, wherever in the picture they lie.
 ///  5. A plane without solid pieces (cells that touch) is a stripe along a crease and leaves. One whose solid
 ///     pieces are bent (a quadratic surface fits them better by more than chance, radius below 2 m)
 ///     is a strip of something round: it leaves with its cells.
@@ -113,8 +113,11 @@ class FramePlanes {
                     PlanesFound& found) noexcept;
   void assign_cells() noexcept;
   void refit() noexcept;
-  void drop_empty() noexcept;
+  /// What becomes of each plane: itself, an earlier one that it is joined into, or gone.
+  using Becomes = std::array<std::uint16_t, 256>;
+  void keep(const Becomes& becomes) noexcept;
   void judge(const PinholeCamera& camera) noexcept;
+  void clear_cell(std::int32_t cell) noexcept;
   Status finish(const DepthView& depth, ImageView<std::uint16_t> labels, std::span<FoundPlane> planes,
                 PlanesFound& found) noexcept;
 

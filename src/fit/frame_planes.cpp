@@ -75,52 +75,63 @@ void FramePlanes::refit() noexcept {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cell_labels_[0][i] != 0) moments_[cell_labels_[0][i] - 1U].add(cells[i]);
   }
-  drop_empty();
-  count_ = detail::join_planes(candidates_.first(count_), moments_.first(count_), options_);
+  Becomes becomes{};
+  for (std::uint16_t k = 0; k < count_; ++k) {
+    const bool stays =
+        moments_[k].n >= min_pixels_ / 2.0 &&
+        fit_inverse_depth(moments_[k], options_.gate.inverse_sigma, candidates_[k].fit) == Status::ok;
+    becomes[k] = stays ? k : detail::gone;
+  }
+  detail::join_planes(candidates_.first(count_), moments_.first(count_), options_, becomes);
+  keep(becomes);
 }
 
-void FramePlanes::drop_empty() noexcept {
+void FramePlanes::keep(const Becomes& becomes) noexcept {
+  std::array<std::uint16_t, most_planes + 1> label{};
   std::uint32_t kept = 0;
   for (std::uint32_t k = 0; k < count_; ++k) {
-    PlaneCandidate candidate = candidates_[k];
-    if (moments_[k].n < min_pixels_ / 2.0) continue;
-    if (fit_inverse_depth(moments_[k], options_.gate.inverse_sigma, candidate.fit) != Status::ok) continue;
-    candidates_[kept] = candidate;
-    moments_[kept] = moments_[k];
-    ++kept;
+    if (becomes[k] == k) {
+      candidates_[kept] = candidates_[k];
+      moments_[kept] = moments_[k];
+      label[k + 1] = static_cast<std::uint16_t>(++kept);
+    } else if (becomes[k] != detail::gone) {
+      label[k + 1] = label[becomes[k] + 1U];  // joined into an earlier plane
+    }
   }
   count_ = kept;
+  for (std::uint16_t& cell : cell_labels_[0]) cell = label[cell];
 }
 
 void FramePlanes::judge(const PinholeCamera& camera) noexcept {
   // Step 5.
   const detail::ShapeMemory memory{visited_, list_};
   std::fill(visited_.begin(), visited_.end(), std::uint16_t{0});
-  std::uint32_t kept = 0;
+  Becomes becomes{};
   bool changed = false;
-  for (std::uint32_t k = 0; k < count_; ++k) {
+  for (std::uint16_t k = 0; k < count_; ++k) {
     std::size_t solid = 0;
     const auto label = static_cast<std::uint16_t>(k + 1);
     const detail::PlaneShape shape =
         detail::plane_shape(cells_, cell_labels_[0], label, candidates_[k].fit.plane, options_, min_pixels_,
                             camera, memory, solid);
-    if (shape == detail::PlaneShape::flat) candidates_[kept++] = candidates_[k];
+    becomes[k] = shape == detail::PlaneShape::flat ? k : detail::gone;
     if (shape != detail::PlaneShape::bent) continue;
     changed = true;
-    for (const std::int32_t cell : list_.first(solid)) {
-      cells_.level(0)[static_cast<std::size_t>(cell)] = {};
-      const Size size = cells_.size(0);
-      const std::int32_t left = cell % size.width * DepthCells::side,
-                         top = cell / size.width * DepthCells::side;
-      for (std::int32_t y = top; y < std::min(top + DepthCells::side, size_.height); ++y) {
-        for (std::int32_t x = left; x < std::min(left + DepthCells::side, size_.width); ++x) {
-          inverse_depth_.at(x, y) = 0;
-        }
-      }
-    }
+    for (const std::int32_t cell : list_.first(solid)) clear_cell(cell);
   }
-  count_ = kept;
+  keep(becomes);
   if (changed) cells_.sum_up();
+}
+
+void FramePlanes::clear_cell(std::int32_t cell) noexcept {
+  constexpr std::int32_t side = DepthCells::side;
+  const std::int32_t width = cells_.size(0).width;
+  const std::int32_t left = cell % width * side, top = cell / width * side;
+  cells_.level(0)[static_cast<std::size_t>(cell)] = {};
+  cell_labels_[0][static_cast<std::size_t>(cell)] = 0;
+  for (std::int32_t y = top; y < std::min(top + side, size_.height); ++y) {
+    std::fill(inverse_depth_.row(y) + left, inverse_depth_.row(y) + std::min(left + side, size_.width), 0.0F);
+  }
 }
 
 void FramePlanes::search_round(const DepthView& depth, const PlaneSearch& search,
@@ -132,9 +143,7 @@ void FramePlanes::search_round(const DepthView& depth, const PlaneSearch& search
   count_ += added;
   assign_cells();
   refit();
-  assign_cells();
   judge(depth.camera);
-  assign_cells();
 }
 
 Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, ImageView<std::uint16_t> labels,
@@ -166,10 +175,8 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
 Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labels,
                            std::span<FoundPlane> planes, PlanesFound& found) noexcept {
   // Step 7.
-  refit();
   assign_cells();
   judge(depth.camera);
-  assign_cells();
   detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], candidates_.first(count_), options_.gate,
                        labels, moments_);
   // Step 8.

@@ -31,30 +31,22 @@ bool are_one(const PlaneCandidate& a, const InverseDepthMoments& of_a, const Pla
 
 }  // namespace
 
-std::uint32_t join_planes(std::span<PlaneCandidate> planes, std::span<InverseDepthMoments> moments,
-                          const FramePlanesOptions& options) noexcept {
-  std::size_t count = planes.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = i + 1; j < count;) {
+void join_planes(std::span<PlaneCandidate> planes, std::span<InverseDepthMoments> moments,
+                 const FramePlanesOptions& options, std::span<std::uint16_t> becomes) noexcept {
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (becomes[i] != i) continue;
+    for (std::size_t j = i + 1; j < planes.size(); ++j) {
       InverseDepthFit both;
-      if (!are_one(planes[i], moments[i], planes[j], moments[j], options, both)) {
-        ++j;
-        continue;
-      }
+      if (becomes[j] != j || !are_one(planes[i], moments[i], planes[j], moments[j], options, both)) continue;
       planes[i].fit = both;
       planes[i].score += planes[j].score;
       planes[i].confidence = std::max(planes[i].confidence, planes[j].confidence);
       planes[i].iterations += planes[j].iterations;
       moments[i].add(moments[j]);
-      --count;
-      for (std::size_t k = j; k < count; ++k) {
-        planes[k] = planes[k + 1];
-        moments[k] = moments[k + 1];
-      }
-      j = i + 1;  // the joined plane has moved: those that were refused may fit now
+      becomes[j] = static_cast<std::uint16_t>(i);
+      j = i;  // the joined plane has moved: those that were refused may fit now
     }
   }
-  return static_cast<std::uint32_t>(count);
 }
 
 }  // namespace straightedge::detail
