@@ -57,7 +57,7 @@ Status fit_inverse_depth(const InverseDepthMoments& moments, double sigma, Inver
 
 Status to_plane_fit(const InverseDepthFit& fit, double sigma, const PinholeCamera& camera,
                     PlaneFit& plane) noexcept {
-  if (!camera.valid() || !(sigma > 0) || !(fit.n >= 3)) return Status::invalid_option;
+  if (!camera.valid() || !(sigma > 0) || !(sigma < 1e100) || !(fit.n >= 3)) return Status::invalid_option;
   const auto& [a, b, c] = fit.plane;
   // n·X = d divided by d: m·X = 1, and 1/z = m·r.
   const Vector3 m{a * camera.fx, b * camera.fy, c + a * camera.cx + b * camera.cy};
