@@ -21,6 +21,15 @@ inline Eigen::Matrix3d covariance_of(const straightedge::PlaneFit& fit) {
   return m;
 }
 
+/// The 4x4 covariance of (nx, ny, nz, d), from the basis.
+inline Eigen::Matrix4d covariance_4x4_of(const straightedge::PlaneFit& fit) {
+  Eigen::Matrix<double, 4, 3> basis = Eigen::Matrix<double, 4, 3>::Zero();
+  basis.block<3, 1>(0, 0) = eigen(fit.tangent_u);
+  basis.block<3, 1>(0, 1) = eigen(fit.tangent_v);
+  basis(3, 2) = 1;
+  return basis * covariance_of(fit) * basis.transpose();
+}
+
 /// Errors of a fit in its own tangents, and of its distance.
 inline Eigen::Vector3d error_of(const straightedge::PlaneFit& fit, const straightedge::Plane& truth) {
   const double side = dot(fit.plane.normal, truth.normal) < 0 ? -1 : 1;

@@ -285,3 +285,29 @@ TEST_CASE("moving a fit is fitting moved points") {
     check_same_covariance(fit, expected, 1e-6);
   }
 }
+
+TEST_CASE("errors move as normals and distances do, also when the normal turns") {
+  constexpr std::uint64_t seed = 70;
+  CAPTURE(seed);
+  Pcg32 random(seed);
+  int turned = 0;
+  for (int i = 0; i < 200; ++i) {
+    CAPTURE(i);
+    PlaneFit fit = noisy_fit(random_patch(random), -0.4, 0.4, random);
+    const Eigen::Matrix3d root = Eigen::Matrix3d::NullaryExpr([&] { return support::normal(random); });
+    const Eigen::Matrix3d c = root * root.transpose();
+    fit.covariance = {c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2)};
+    const Motion motion = random_motion(random);
+    const PlaneFit there = moved(fit, motion.rotation, motion.t);
+    const Eigen::Matrix3d r =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(motion.rotation.data());
+    turned += support::eigen(there.plane.normal).dot(r * support::eigen(fit.plane.normal)) < 0 ? 1 : 0;
+    // n' = R n, d' = d + t·n'; the sign of (n', d') does not matter to the covariance.
+    Eigen::Matrix4d jacobian = Eigen::Matrix4d::Identity();
+    jacobian.block<3, 3>(0, 0) = r;
+    jacobian.block<1, 3>(3, 0) = support::eigen(motion.t).transpose() * r;
+    const Eigen::Matrix4d expected = jacobian * support::covariance_4x4_of(fit) * jacobian.transpose();
+    CHECK((support::covariance_4x4_of(there) - expected).cwiseAbs().maxCoeff() < 1e-11 * expected.maxCoeff());
+  }
+  CHECK(turned > 20);
+}

@@ -183,14 +183,36 @@ TEST_CASE("the covariance of normal and distance needs no basis") {
   CAPTURE(seed);
   Pcg32 random(seed);
   const PlaneFit fit = fit_of(cloud(random, 30, 0.02));
-  Eigen::Matrix<double, 4, 3> basis = Eigen::Matrix<double, 4, 3>::Zero();
-  basis.block<3, 1>(0, 0) = support::eigen(fit.tangent_u);
-  basis.block<3, 1>(0, 1) = support::eigen(fit.tangent_v);
-  basis(3, 2) = 1;
-  const Eigen::Matrix4d expected = basis * support::covariance_of(fit) * basis.transpose();
+  const Eigen::Matrix4d expected = support::covariance_4x4_of(fit);
   const std::array<double, 10> upper = covariance_4x4(fit);
   std::size_t at = 0;
   for (int i = 0; i < 4; ++i) {
     for (int k = i; k < 4; ++k) CHECK(upper[at++] == Approx(expected(i, k)).epsilon(1e-12).margin(1e-18));
   }
+}
+
+// Worked by hand: two planes that cross in the y axis, 15 degrees up and 15 degrees down, each known at a
+// place 1 m away from it, to the left and to the right.
+TEST_CASE("the chi-square distance of two planes that cross") {
+  const double c = std::cos(15 * degree), s = std::sin(15 * degree);
+  const double var_angle = 0.04, var_offset = 0.01;
+  const auto known_at_centroid = [&](const Vector3& normal, const Vector3& u, const Vector3& centroid) {
+    PlaneFit fit;
+    fit.plane = {normal, 0};
+    fit.tangent_u = u;
+    fit.tangent_v = cross(normal, u);
+    fit.centroid = centroid;
+    const double lever = dot(u, centroid);
+    fit.covariance = {var_angle, 0, lever * var_angle, var_angle, 0, var_offset + lever * lever * var_angle};
+    return fit;
+  };
+  const PlaneFit a = known_at_centroid({-s, 0, c}, {c, 0, s}, {-c, 0, -s});
+  const PlaneFit b = known_at_centroid({s, 0, c}, {c, 0, -s}, {c, 0, -s});
+  // Midway, at (0, 0, -s), both are as far away; each lever is c² long.
+  const double between = 30 * degree, lever = c * c, turn = std::cos(between);
+  const double uu = var_angle * (1 + turn * turn);
+  const double ud = var_angle * lever * (turn - 1);
+  const double dd = 2 * (var_offset + lever * lever * var_angle);
+  CHECK(plane_chi_square(a, b) == Approx(between * between * dd / (uu * dd - ud * ud)).epsilon(1e-12));
+  CHECK(plane_chi_square(b, a) == Approx(plane_chi_square(a, b)).epsilon(1e-12));
 }
