@@ -46,9 +46,9 @@ Status label_nearest(const PointsView& points, std::span<const FoundPlane> plane
 /// Fits every plane anew to the points that carry its label, and counts them. Labels above the number of
 /// planes are no plane.
 ///
-/// With gate.fixed_m by fit_plane, the threshold taken as three standard deviations. Otherwise in 1/z over the
-/// rays of the points (inverse_depth.hpp): an orthogonal fit, however weighted, is pulled aside by noise along
-/// oblique rays. Planes whose points make no plane (fewer than three, on one line, for 1/z all seen
+/// With gate.fixed_m by fit_plane, the threshold taken as three standard deviations. Otherwise in 1/z over
+/// the rays of the points (inverse_depth.hpp): an orthogonal fit, however weighted, is pulled aside by noise
+/// along oblique rays. Planes whose points make no plane (fewer than three, on one line, for 1/z all seen
 /// from edge-on) keep their fit.
 Status refit_labelled(const PointsView& points, std::span<const std::uint16_t> labels, const PlaneGate& gate,
                       std::span<FoundPlane> planes) noexcept;

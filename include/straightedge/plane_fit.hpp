@@ -104,8 +104,8 @@ void add_floor(PlaneFit& fit, const PlaneFloor& floor) noexcept;
 
 /// Chi-square distance (3 degrees of freedom) between two planes that may be the same one: 7.81 is exceeded
 /// by one true pair in twenty, 11.34 by one in a hundred. The test is made midway between the two
-/// centroids, in the tangents of `a`; normals may point to opposite sides. A singular sum of covariances, or one
-/// that is no covariance, gives infinity unless the planes are equal.
+/// centroids, in the tangents of `a`; normals may point to opposite sides. A singular sum of covariances, or
+/// one that is no covariance, gives infinity unless the planes are equal.
 double plane_chi_square(const PlaneFit& a, const PlaneFit& b) noexcept;
 
 /// Both planes' information together, where the points' sums are not at hand; exact for small angles. The

@@ -11,6 +11,7 @@ namespace straightedge {
 namespace {
 
 constexpr std::size_t block = 128;
+constexpr double nowhere = std::numeric_limits<double>::infinity();
 constexpr std::size_t planes_in_a_pass = 16;
 
 /// Some points in doubles; what is no reading is NaN and therefore near to no plane.
@@ -26,22 +27,19 @@ struct Block {
       y[i] = p.y;
       z[i] = p.z;
       limit[i] = fixed ? gate.fixed_m : gate.sigmas * gate.inverse_sigma * p.z;
-      residual[i] = std::numeric_limits<double>::infinity();
+      residual[i] = nowhere;
       label[i] = 0;
     }
   }
 
-  void offer(const Plane& plane, double plane_label, bool fixed) noexcept {
-    // Without a fixed threshold: m·p = 1 is the plane, and (m·p − 1)/z the residual of 1/z.
-    const double scale = fixed ? 1 : 1 / plane.distance;
-    const Vector3 m = scale * plane.normal;
-    const double offset = scale * plane.distance;
+  /// The plane m·p = offset. Selections without branches: two points go at a time.
+  void offer(Vector3 m, double offset, double plane_label) noexcept {
     for (std::size_t i = 0; i < block; ++i) {
       const double signed_residual = m.x * x[i] + m.y * y[i] + m.z * z[i] - offset;
-      const double size = signed_residual < 0 ? -signed_residual : signed_residual;
-      const bool better = (size < residual[i]) & (size <= limit[i]);
-      residual[i] = better ? size : residual[i];
-      label[i] = better ? plane_label : label[i];
+      const double size = __builtin_fabs(signed_residual);
+      const double within = size <= limit[i] ? size : nowhere;
+      label[i] = within < residual[i] ? plane_label : label[i];
+      residual[i] = within < residual[i] ? within : residual[i];
     }
   }
 };
@@ -99,7 +97,10 @@ Status label_nearest(const PointsView& points, std::span<const FoundPlane> plane
     const std::size_t size = points.count - first < block ? points.count - first : block;
     points_here.load(points, first, size, gate);
     for (std::size_t i = 0; i < planes.size(); ++i) {
-      points_here.offer(planes[i].fit.plane, static_cast<double>(i + 1), gate.fixed_m > 0);
+      const Plane& plane = planes[i].fit.plane;
+      // Without a fixed threshold: divided by the distance, (m·p − 1)/z is the residual of 1/z.
+      const double scale = gate.fixed_m > 0 ? 1 : 1 / plane.distance;
+      points_here.offer(scale * plane.normal, scale * plane.distance, static_cast<double>(i + 1));
     }
     for (std::size_t i = 0; i < size; ++i) {
       labels[first + i] = static_cast<std::uint16_t>(points_here.label[i]);
