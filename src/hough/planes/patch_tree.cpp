@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "hough/planes/patch_tree.hpp"
+
+namespace straightedge::hough {
+namespace {
+
+// A square with a smaller share of readings is cut, one of the smallest kind dropped.
+constexpr double least_share = 0.25;
+// Standard deviations by which the residual may exceed the noise.
+constexpr double residual_sigmas = 3;
+// The same for the mean residual of a quarter.
+constexpr double quarter_sigmas = 3.5;
+
+/// Sums about the means.
+struct Centred {
+  double n = 0, u = 0, v = 0, q = 0;
+  double uu = 0, uv = 0, vv = 0, uq = 0, vq = 0, qq = 0;
+
+  explicit Centred(const InverseDepthMoments& m) noexcept
+      : n(m.n),
+        u(m.u / m.n),
+        v(m.v / m.n),
+        q(m.q / m.n),
+        uu(m.uu - m.u * u),
+        uv(m.uv - m.u * v),
+        vv(m.vv - m.v * v),
+        uq(m.uq - m.u * q),
+        vq(m.vq - m.v * q),
+        qq(m.qq - m.q * q) {}
+};
+
+struct Square {
+  std::int32_t level = 0, column = 0, row = 0;
+};
+
+class Tree {
+ public:
+  Tree(const PatchScene& scene, std::span<const std::span<InverseDepthMoments>> levels,
+       std::span<HoughPatch> patches) noexcept
+      : scene_(scene), levels_(levels), patches_(patches) {}
+
+  /// A walk in order of position, without recursion: after a square its next brother, after the last of four
+  /// the father's next one.
+  void cut(std::int32_t column, std::int32_t row, std::int32_t top) noexcept;
+  std::size_t size() const noexcept { return size_; }
+
+ private:
+  std::int32_t columns(std::int32_t level) const noexcept {
+    const std::int32_t side = hough_patch_side << level;
+    return (scene_.size.width + side - 1) / side;
+  }
+  std::int32_t rows(std::int32_t level) const noexcept {
+    const std::int32_t side = hough_patch_side << level;
+    return (scene_.size.height + side - 1) / side;
+  }
+  const InverseDepthMoments* at(const Square& s) const noexcept {
+    if (s.column >= columns(s.level) || s.row >= rows(s.level)) return nullptr;
+    return &levels_[static_cast<std::size_t>(s.level)][static_cast<std::size_t>(
+        s.row * columns(s.level) + s.column)];
+  }
+  bool planar(const Square& s, const InverseDepthMoments& m) noexcept;
+  bool quarters_agree(const Square& s, const InverseDepthPlane& plane, double noise) const noexcept;
+
+  const PatchScene& scene_;
+  std::span<const std::span<InverseDepthMoments>> levels_;
+  std::span<HoughPatch> patches_;
+  std::size_t size_ = 0;
+};
+
+void Tree::cut(std::int32_t column, std::int32_t row, std::int32_t top) noexcept {
+  Square s{top, column, row};
+  for (;;) {
+    const InverseDepthMoments* m = at(s);
+    const bool some = m != nullptr && m->n >= 16;
+    if (some && !planar(s, *m) && s.level > 0) {
+      s = {s.level - 1, 2 * s.column, 2 * s.row};
+      continue;
+    }
+    // The last of four is at odd column and odd row.
+    while (s.level < top && s.column % 2 == 1 && s.row % 2 == 1) {
+      s = {s.level + 1, s.column / 2, s.row / 2};
+    }
+    if (s.level == top) return;
+    if (s.column % 2 == 0) {
+      ++s.column;
+    } else {
+      --s.column;
+      ++s.row;
+    }
+  }
+}
+
+bool Tree::planar(const Square& s, const InverseDepthMoments& m) noexcept {
+  const std::int32_t side = hough_patch_side << s.level;
+  if (m.n < least_share * side * side) return false;
+  const Centred c(m);
+  const double determinant = c.uu * c.vv - c.uv * c.uv;
+  // Readings along a line say nothing across it.
+  if (!(determinant > 0.02 * c.uu * c.vv) || !(c.uu > c.n) || !(c.vv > c.n)) return false;
+  const double a = (c.uq * c.vv - c.vq * c.uv) / determinant;
+  const double b = (c.vq * c.uu - c.uq * c.uv) / determinant;
+  const double sigma = scene_.sigma(c.q);
+  const double variance = (c.qq - a * c.uq - b * c.vq) / c.n;
+  const double shared = scene_.options.shared_noise_pixels;
+  const double slack = residual_sigmas * __builtin_sqrt(shared / c.n);
+  if (!(variance <= sigma * sigma * (1 + slack))) return false;
+  const InverseDepthPlane plane{a, b, c.q - a * c.u - b * c.v};
+  const double noise = sigma * sigma * shared;
+  if (s.level > 0 && !quarters_agree(s, plane, noise)) return false;
+
+  HoughPatch& patch = patches_[size_++];
+  patch = {};
+  patch.x = s.column * side;
+  patch.y = s.row * side;
+  patch.side = side;
+  patch.moments = m;
+  patch.plane = plane;
+  patch.mean_u = c.u;
+  patch.mean_v = c.v;
+  patch.mean_q = c.q;
+  patch.noise = noise;
+  const double scale = noise / determinant;
+  patch.slope_covariance = {scale * c.vv, -scale * c.uv, scale * c.uu};
+  return true;
+}
+
+bool Tree::quarters_agree(const Square& s, const InverseDepthPlane& plane, double noise) const noexcept {
+  for (std::int32_t i = 0; i < 4; ++i) {
+    const InverseDepthMoments* m = at({s.level - 1, 2 * s.column + i % 2, 2 * s.row + i / 2});
+    if (m == nullptr || m->n < 16) continue;
+    const double residual = m->q - plane.a * m->u - plane.b * m->v - plane.c * m->n;
+    // (residual / n)² against noise / n.
+    if (residual * residual > quarter_sigmas * quarter_sigmas * noise * m->n) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::size_t make_patches(const PatchScene& scene, std::span<const std::span<InverseDepthMoments>> levels,
+                         std::span<HoughPatch> patches) noexcept {
+  Tree tree(scene, levels, patches);
+  std::int32_t top = 0;
+  while ((hough_patch_side << top) < scene.options.largest_patch) ++top;
+  const std::int32_t side = hough_patch_side << top;
+  for (std::int32_t row = 0; row * side < scene.size.height; ++row) {
+    for (std::int32_t column = 0; column * side < scene.size.width; ++column) tree.cut(column, row, top);
+  }
+  return tree.size();
+}
+
+}  // namespace straightedge::hough

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "hough/planes/patch_votes.hpp"
+
+#include "straightedge/trigonometry.hpp"
+
+namespace straightedge::hough {
+namespace {
+
+constexpr double reach = 2.449489742783178;  // the root of vote_reach_squared
+
+Vector3 aside(const Vector3& n) noexcept {
+  const double x = n.x * n.x, y = n.y * n.y, z = n.z * n.z;
+  if (x <= y && x <= z) return {1, 0, 0};
+  return y <= z ? Vector3{0, 1, 0} : Vector3{0, 0, 1};
+}
+
+/// A symmetric 2x2 matrix.
+struct Symmetric {
+  double uu = 0, uv = 0, vv = 0;
+  double determinant() const noexcept { return uu * vv - uv * uv; }
+  Symmetric inverse() const noexcept {
+    const double d = determinant();
+    return {vv / d, -uv / d, uu / d};
+  }
+  double largest_eigenvalue() const noexcept {
+    const double half = (uu - vv) / 2;
+    return (uu + vv) / 2 + __builtin_sqrt(half * half + uv * uv);
+  }
+};
+
+/// What the normal's turns along the tangents do to the slopes a and b, the mean reading held.
+struct Slopes {
+  double a = 0, b = 0;
+};
+
+Slopes slopes_by(const HoughPatch& patch, const Vector3& tangent, const PinholeCamera& camera) noexcept {
+  const double per_d = 1 / patch.space.distance;
+  const double lever = dot(tangent, patch.point) * per_d;
+  const Vector3 dm = per_d * (tangent - lever * patch.space.normal);
+  return {dm.x / camera.fx, dm.y / camera.fy};
+}
+
+}  // namespace
+
+void shape_vote(const PatchScene& scene, HoughPatch& patch) noexcept {
+  const PinholeCamera& camera = scene.camera;
+  const auto& [a, b, c] = patch.plane;
+  const Vector3 m{a * camera.fx, b * camera.fy, c + a * camera.cx + b * camera.cy};
+  const double size = length(m);
+  if (!(size > 0) || !(size < 1e100)) return;
+  patch.space = {(1 / size) * m, 1 / size};
+  patch.point = (1 / patch.mean_q) * camera.ray(patch.mean_u, patch.mean_v);
+  patch.tangent_u = normalized(cross(aside(patch.space.normal), patch.space.normal));
+  patch.tangent_v = cross(patch.space.normal, patch.tangent_u);
+  const Slopes u = slopes_by(patch, patch.tangent_u, camera);
+  const Slopes v = slopes_by(patch, patch.tangent_v, camera);
+  const auto& [aa, ab, bb] = patch.slope_covariance;
+  const Symmetric known = Symmetric{aa, ab, bb}.inverse();
+  const auto product = [&](const Slopes& p, const Slopes& q) noexcept {
+    return p.a * (known.uu * q.a + known.uv * q.b) + p.b * (known.uv * q.a + known.vv * q.b);
+  };
+  const Symmetric information{product(u, u), product(u, v), product(v, v)};
+  if (!(information.determinant() > 0)) return;
+  Symmetric covariance = information.inverse();
+  const double limit = scene.options.max_spread_rad;
+  const double largest = covariance.largest_eigenvalue();
+  patch.votes = largest <= limit * limit;
+  const double least = 0.6 * scene.cell_size_rad;
+  covariance.uu += least * least;
+  covariance.vv += least * least;
+  const Symmetric p = covariance.inverse();
+  patch.precision = {p.uu, p.uv, p.vv};
+  patch.reach_rad = reach * __builtin_sqrt(covariance.largest_eigenvalue());
+  if (patch.reach_rad > 1.5) patch.reach_rad = 1.5;
+}
+
+double kernel_distance(const HoughPatch& patch, const Vector3& direction) noexcept {
+  if (!(dot(direction, patch.space.normal) > 0)) return 1e9;
+  const double u = dot(direction, patch.tangent_u);
+  const double v = dot(direction, patch.tangent_v);
+  const auto& [uu, uv, vv] = patch.precision;
+  return u * (uu * u + 2 * uv * v) + vv * v * v;
+}
+
+void cast_vote(const HoughPatch& patch, double cell_area, HoughAccumulator& accumulator) noexcept {
+  const HoughDirections& directions = accumulator.directions();
+  const auto& [uu, uv, vv] = patch.precision;
+  // The kernel's integral over the tangent plane is 2 pi sqrt(det of the covariance).
+  const double share = cell_area * __builtin_sqrt(uu * vv - uv * uv) / (2 * pi);
+  const double scale = hough_patch_vote * patch.moments.n * share;
+  directions.for_near(patch.space.normal, patch.reach_rad, [&](std::int32_t cell) noexcept {
+    const Vector3& n = directions.centre(cell);
+    const double rest = 1 - kernel_distance(patch, n) * (1 / vote_reach_squared);
+    if (!(rest > 0)) return;
+    accumulator.vote(cell, dot(n, patch.point), static_cast<std::uint32_t>(scale * rest * rest));
+  });
+}
+
+}  // namespace straightedge::hough

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "hough/planes/patch_tree.hpp"
+
+namespace straightedge::hough {
+
+/// How well the patch knows its normal, as a kernel over directions; sets `votes`.
+void shape_vote(const PatchScene& scene, HoughPatch& patch) noexcept;
+
+/// Squared distance of a direction from the patch's normal in units of its kernel; above
+/// vote_reach_squared there is no vote.
+double kernel_distance(const HoughPatch& patch, const Vector3& direction) noexcept;
+inline constexpr double vote_reach_squared = 6;
+
+/// Casts the patch's vote.
+void cast_vote(const HoughPatch& patch, double cell_area, HoughAccumulator& accumulator) noexcept;
+
+}  // namespace straightedge::hough

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "straightedge/hough_plane_peaks.hpp"
+
+namespace straightedge {
+namespace {
+
+/// The values of one accumulator, looked up across distance 0.
+struct Field {
+  const HoughAccumulator& accumulator;
+  std::span<const std::uint32_t> values;
+
+  std::size_t index(std::int32_t direction, std::int32_t k) const noexcept {
+    if (k < 0) {
+      direction = accumulator.directions().antipode(direction);
+      k = -1 - k;
+    }
+    return static_cast<std::size_t>(direction) * static_cast<std::size_t>(accumulator.distances()) +
+           static_cast<std::size_t>(k);
+  }
+  std::uint64_t along_distance(std::int32_t direction, std::int32_t k) const noexcept {
+    const std::uint64_t above = k + 1 < accumulator.distances() ? values[index(direction, k + 1)] : 0;
+    return values[index(direction, k - 1)] + 2 * std::uint64_t{values[index(direction, k)]} + above;
+  }
+};
+
+bool is_peak(const Field& field, std::int32_t direction, std::int32_t k) noexcept {
+  const std::size_t own = field.index(direction, k);
+  const std::uint32_t votes = field.values[own];
+  bool highest = true;
+  field.accumulator.directions().for_neighbours(direction, [&](std::int32_t other) noexcept {
+    for (std::int32_t beside = k - 1; beside <= k + 1; ++beside) {
+      if (beside >= field.accumulator.distances()) continue;
+      const std::size_t at = field.index(other, beside);
+      const std::uint32_t value = field.values[at];
+      highest = highest && (value < votes || (value == votes && at >= own));
+    }
+  });
+  return highest;
+}
+
+/// Puts a peak in its place among those that are sorted already. False: the worst one had to go.
+bool insert(const HoughPlanePeak& peak, std::span<HoughPlanePeak> peaks, std::uint32_t& count) noexcept {
+  const bool full = count == peaks.size();
+  if (full && (count == 0 || peaks[count - 1].votes >= peak.votes)) return false;
+  std::uint32_t place = full ? count - 1 : count;
+  for (; place > 0 && peaks[place - 1].votes < peak.votes; --place) peaks[place] = peaks[place - 1];
+  peaks[place] = peak;
+  if (!full) ++count;
+  return !full;
+}
+
+}  // namespace
+
+Status low_pass_votes(const HoughAccumulator& accumulator, std::span<std::uint32_t> smooth) noexcept {
+  if (smooth.size() != accumulator.votes().size()) return Status::size_mismatch;
+  const Field field{accumulator, accumulator.votes()};
+  const HoughDirections& directions = accumulator.directions();
+  for (std::int32_t direction = 0; direction < directions.size(); ++direction) {
+    for (std::int32_t k = 0; k < accumulator.distances(); ++k) {
+      // Step 1.
+      const std::uint64_t own = field.along_distance(direction, k);
+      // Step 2.
+      std::uint64_t sum = 0, neighbours = 0;
+      directions.for_neighbours(direction, [&](std::int32_t other) noexcept {
+        if (other == direction) return;
+        sum += field.along_distance(other, k);
+        ++neighbours;
+      });
+      const std::uint64_t value = own + sum / neighbours;
+      smooth[field.index(direction, k)] =
+          value < UINT32_MAX ? static_cast<std::uint32_t>(value) : UINT32_MAX;
+    }
+  }
+  return Status::ok;
+}
+
+Status find_plane_peaks(const HoughAccumulator& accumulator, std::span<const std::uint32_t> values,
+                        std::uint32_t least, std::span<HoughPlanePeak> peaks, std::uint32_t& count) noexcept {
+  count = 0;
+  if (values.size() != accumulator.votes().size()) return Status::size_mismatch;
+  const Field field{accumulator, values};
+  Status status = Status::ok;
+  std::size_t at = 0;
+  for (std::int32_t direction = 0; direction < accumulator.directions().size(); ++direction) {
+    for (std::int32_t k = 0; k < accumulator.distances(); ++k, ++at) {
+      if (values[at] < least || values[at] == 0 || !is_peak(field, direction, k)) continue;
+      if (!insert({direction, k, values[at]}, peaks, count)) status = Status::output_full;
+    }
+  }
+  return status;
+}
+
+}  // namespace straightedge
