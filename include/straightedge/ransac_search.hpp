@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "straightedge/arena.hpp"
+#include "straightedge/image.hpp"
+#include "straightedge/inverse_depth.hpp"
+#include "straightedge/plane_gate.hpp"
+#include "straightedge/status.hpp"
+
+namespace straightedge {
+
+/// A number that is NaN or outside its range gives `invalid_option`.
+struct RansacSearchOptions {
+  PlaneGate gate;
+  std::int32_t cell = 4;          ///< pixels, [1, 64]: one reading of each square of this side is looked at
+  std::int32_t min_pixels = 480;  ///< of a plane, >= 1; a reading stands for cell² pixels
+  std::int32_t max_candidates = 64;  ///< [1, 65535]
+  double max_rms = 0.4;              ///< residual of a plane's readings, gates, (0, 1]; see step 3
+  double confidence = 0.99;          ///< (0, 1), of a window's search, see ransac_stop.hpp
+  std::int32_t max_draws = 32;       ///< triples drawn from one window, [1, 65535]
+  std::uint64_t seed = 1;
+};
+
+/// A plane that may be one.
+struct PlaneCandidate {
+  InverseDepthFit fit;      ///< covariance for independent readings with noise gate.inverse_sigma
+  double score = 0;         ///< sum of 1 − (residual / gate)² over its readings
+  std::uint32_t cells = 0;  ///< its readings, one a cell
+};
+
+struct RansacSearchResult {
+  Status status = Status::not_prepared;
+  std::uint32_t candidates = 0;  ///< written, strongest first
+  std::uint32_t readings = 0;    ///< cells that have one
+  std::uint32_t explained = 0;   ///< of these, how many a candidate owns
+  std::uint32_t windows = 0;     ///< searched
+  std::uint32_t draws = 0;       ///< triples tried
+  std::uint64_t seed = 0;
+};
+
+namespace detail {
+
+/// Cells in rows with a border of one, rows rounded up.
+struct RansacSearchMemory {
+  std::span<float> u, v, q, w;            ///< a cell's reading: pixel, 1/z, 1 / gate
+  std::span<float> free_q;                ///< q of readings that no candidate has taken
+  std::span<float> single, triple, cost;  ///< single is one row
+  std::span<std::uint8_t> hit, core;
+  std::span<std::int32_t> owner;
+  std::span<PlaneCandidate> candidates;
+
+  static constexpr RansacSearchMemory take(Arena& arena, Size size,
+                                           const RansacSearchOptions& options) noexcept {
+    const auto cell = static_cast<std::size_t>(options.cell);
+    const std::size_t stride = ((static_cast<std::size_t>(size.width) + cell - 1) / cell + 2 + 15) / 16 * 16;
+    const std::size_t cells = stride * ((static_cast<std::size_t>(size.height) + cell - 1) / cell + 2);
+    RansacSearchMemory m;
+    for (std::span<float>* plane : {&m.u, &m.v, &m.q, &m.w, &m.free_q, &m.triple, &m.cost})
+      *plane = arena.take<float>(cells);
+    m.single = arena.take<float>(stride);
+    m.hit = arena.take<std::uint8_t>(cells);
+    m.core = arena.take<std::uint8_t>(cells);
+    m.owner = arena.take<std::int32_t>(cells);
+    m.candidates = arena.take<PlaneCandidate>(static_cast<std::size_t>(options.max_candidates));
+    return m;
+  }
+};
+
+constexpr bool valid(const RansacSearchOptions& o) noexcept {
+  return o.gate.valid() && o.cell >= 1 && o.cell <= 64 && o.min_pixels >= 1 && o.max_candidates >= 1 &&
+         o.max_candidates <= 65535 && o.max_rms > 0 && o.max_rms <= 1 && o.confidence > 0 &&
+         o.confidence < 1 && o.max_draws >= 1 && o.max_draws <= 65535;
+}
+
+}  // namespace detail
+
+/// Candidate planes of a depth frame, large and small, for a labelling that gives each pixel the best of
+/// them.
+///
+///   1. Draw one reading of every square of cell x cell pixels by chance. The noise of neighbouring pixels is
+///      shared over three to five of them: sixteen readings of a square say little more than one.
+///   2. Windows of three sizes, large to small, in steps of half a window. In each, RANSAC among the readings
+///      that are left: a triple, its MSAC cost in the window, refits of each new best with a threshold from
+///      wide to narrow, until the stop rule or max_draws. The readings of a window are near one another, so
+///      that a face of 1000 pixels among 300 000, hopeless for triples from the whole frame, is found in a
+///      few draws.
+///   3. Grow: refit to the readings within the gate in boxes twice as large each, until it is the frame.
+///      A reading counts if three of its eight neighbours do too. Refused are planes with less than
+///      min_pixels and those whose residuals fill the gate (rms > max_rms): noise of a third of the gate
+///      leaves 0.33, the compromise between two surfaces, or a curved one, near 0.58. The others are
+///      candidates and their readings leave.
+///   4. Contest: each reading goes to the candidate that fits it and its neighbours best, and every candidate
+///      is refitted to what it has. Sorted by score.
+///
+/// Papers: ransac_planes.hpp. Deterministic: the cells of row r are drawn from stream r, window i draws from
+/// stream 2^32 + i of the seed; all sums have a fixed order.
+///
+/// Time: some tens of passes over the cells; for 640x480 pixels with the defaults one to two milliseconds.
+/// Memory: 43 bytes a cell. A frame without readings, or with noise alone, has no candidates.
+class RansacSearch {
+ public:
+  /// 0 for a size or options that `prepare` refuses.
+  static constexpr std::size_t workspace_bytes(Size size, const RansacSearchOptions& options) noexcept {
+    if (!fits(size) || !detail::valid(options)) return 0;
+    Arena arena = Arena::measure();
+    (void)detail::RansacSearchMemory::take(arena, size, options);
+    return arena.used();
+  }
+  /// invalid_image: a side below 1 or above 2^15; invalid_option; workspace_too_small.
+  static Status prepare(RansacSearch& search, Size size, const RansacSearchOptions& options,
+                        std::span<std::byte> workspace) noexcept;
+
+  /// `inverse_depth`: 1/z, 0, negative or not finite is no reading. Readings with z beyond the depth at which
+  /// the gate reaches infinity (234 m by default) are none either. `mask`: pixels that are not 0 take no
+  /// part; a view without data masks nothing. output_full: `out` holds the strongest.
+  RansacSearchResult run(ImageView<const float> inverse_depth, ImageView<const std::uint16_t> mask,
+                         std::span<PlaneCandidate> out) noexcept;
+
+ private:
+  static constexpr bool fits(Size size) noexcept {
+    return size.width >= 1 && size.height >= 1 && size.width <= 32768 && size.height <= 32768;
+  }
+
+  Size size_{};
+  RansacSearchOptions options_;
+  detail::RansacSearchMemory memory_;
+  bool prepared_ = false;
+};
+
+}  // namespace straightedge

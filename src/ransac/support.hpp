@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "ransac/lattice.hpp"
+#include "straightedge/inverse_depth.hpp"
+
+namespace straightedge::ransac {
+
+/// Marks in memory.core the cells of the box that support the plane: the reading in `q` is within the gate,
+/// and so are the readings of three of the eight cells round it. A plane that cuts through another surface
+/// finds single cells there, not patches. Cells outside the box keep what they had. Returns how many.
+std::uint32_t mark_core(const Lattice& lattice, std::span<const float> q, const InverseDepthPlane& plane,
+                        const CellBox& box) noexcept;
+
+/// Sums over the marked cells.
+struct CoreSums {
+  InverseDepthMoments moments;  ///< u and v from pixel (0, 0); the residual from the plane in place of q
+  double ww = 0;                ///< squares of 1 / gate
+};
+
+/// In groups of cell_lanes cells: partial sums by place in the group for each row of cells, rows in order.
+CoreSums sum_core(const Lattice& lattice, std::span<const float> q, const InverseDepthPlane& plane,
+                  const CellBox& box) noexcept;
+
+/// Least squares on the marked cells of the box. `rms_gates` is what is left of the residuals, as a share of
+/// the gate. False: too few, or on one line.
+bool refit_core(const Lattice& lattice, std::span<const float> q, const CellBox& box, double sigma,
+                InverseDepthFit& fit, double& rms_gates) noexcept;
+
+}  // namespace straightedge::ransac
