@@ -135,16 +135,20 @@ LeftOut register_points(const PointsView& points, std::span<const std::uint16_t>
     const std::uint16_t label = labels[n];
     const Vector3 reading = points.at(n);
     if (label == 0 || !finite(reading)) continue;
-    // Step 1.
+    // Step 1. Where noise runs along the ray, back along it; else straight.
     const FramePlane& plane = planes[label - 1U];
     const double beyond = plane.in_camera.signed_distance(reading);
-    const bool weighed = plane.weight_anywhere > 0 || reading.z > 0;
-    if (!weighed || beyond * beyond > 0.25 * squared_length(reading)) {
+    const bool along_ray = plane.weight_by_depth > 0;
+    const double distance = plane.in_camera.distance;
+    const double reach = along_ray ? 0.5 * distance : 0.5 * length(reading);
+    if ((along_ray && !(reading.z > 0)) || !(beyond >= -reach && beyond <= reach)) {
       ++out.off_plane;
       continue;
     }
+    const Vector3 on_plane = along_ray ? (distance / (distance + beyond)) * reading
+                                       : reading - beyond * plane.in_camera.normal;
     // Step 2.
-    const Vector3 in_world = world_from_sensor.apply(reading - beyond * plane.in_camera.normal);
+    const Vector3 in_world = world_from_sensor.apply(on_plane);
     const Vector3 place =
         plane_grid::quanta_per_m * in_world + Vector3{grid_middle, grid_middle, grid_middle};
     if (!on_grid(place)) {
@@ -158,7 +162,7 @@ LeftOut register_points(const PointsView& points, std::span<const std::uint16_t>
       run.label = label;
       run.place = p.leaf();
     }
-    const double by_depth = plane.weight_by_depth > 0 ? plane.weight_by_depth / (reading.z * reading.z) : 0;
+    const double by_depth = along_ray ? plane.weight_by_depth / (on_plane.z * on_plane.z) : 0;
     run.add(p.i, p.j, p.k, weight_of(by_depth + plane.weight_anywhere), residual_of(beyond));
   }
   writer.put(run, 0);

@@ -116,7 +116,7 @@ class PlaneMapBuilder {
  private:
   PlaneMapOptions options_;
   PlaneLeaves leaves_;
-  std::vector<std::uint64_t> touched_;  // scratch of add: readings of this frame, one a leaf
+  std::vector<std::uint32_t> tally_;  // scratch of add: readings of the frame, one a leaf
 };
 
 }  // namespace straightedge
