@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "map/plane_frame.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "straightedge/rounding.hpp"
+
+namespace straightedge {
+namespace {
+
+// Pieces of one wall that a detector took for two planes are one sighting of it.
+constexpr double same_cosine = 0.996;  // 5 degrees
+constexpr double same_offset = 0.05;   // metres
+
+bool same_in_frame(const FoundPlane& a, const FoundPlane& b) {
+  return dot(a.fit.plane.normal, b.fit.plane.normal) > same_cosine &&
+         std::abs(a.fit.plane.signed_distance(b.fit.centroid)) < same_offset;
+}
+
+bool is_plane(const Plane& plane) {
+  const double size = squared_length(plane.normal);
+  return size > 1 - 1e-6 && size < 1 + 1e-6 && plane.distance >= 0 && plane.distance < plane_grid::reach_m;
+}
+
+std::int64_t tilt_of(const PlaneFit& fit) {
+  const double variance = std::max(fit.covariance[0], fit.covariance[3]) / plane_grid::tilt_unit;
+  if (!(variance > 0)) return 0;
+  return variance < static_cast<double>(plane_grid::most_tilt) ? round_half_even(variance)
+                                                               : plane_grid::most_tilt;
+}
+
+void set_weight(FramePlane& plane, const PlaneGate& gate) {
+  if (gate.fixed_m > 0) {
+    const double sigma = gate.fixed_m / gate.sigmas;
+    plane.weight_anywhere = 1 / (sigma * sigma * plane_grid::weight_unit);
+    return;
+  }
+  // Noise runs along the ray: across the plane it is sigma_z |n·r| / |r_z| = inverse_sigma · z · distance.
+  const double across = gate.inverse_sigma * std::max(plane.in_camera.distance, 1e-3);
+  plane.weight_by_depth = 1 / (across * across * plane_grid::weight_unit);
+}
+
+}  // namespace
+
+Result<Done> check_pose(const Pose& pose) {
+  const auto& r = pose.rotation;
+  const Vector3 row0{r[0], r[1], r[2]};
+  const Vector3 row1{r[3], r[4], r[5]};
+  const Vector3 row2{r[6], r[7], r[8]};
+  const auto unit = [](const Vector3& v) { return std::abs(squared_length(v) - 1) < 1e-4; };
+  const auto square = [](const Vector3& a, const Vector3& b) { return std::abs(dot(a, b)) < 1e-4; };
+  if (!finite(pose.translation) || !unit(row0) || !unit(row1) || !unit(row2) || !square(row0, row1) ||
+      !square(row0, row2) || !square(row1, row2) || !(dot(cross(row0, row1), row2) > 0))
+    return Failure{Problem::bad_content, "the frame's pose is no rotation with a translation"};
+  const Vector3& t = pose.translation;
+  const double farthest = std::max({std::abs(t.x), std::abs(t.y), std::abs(t.z)});
+  if (!(farthest < plane_grid::reach_m))
+    return Failure{Problem::bad_content, "the frame's pose lies more than 65 km from the world's origin"};
+  return Done{};
+}
+
+Result<std::vector<FramePlane>> frame_planes(std::span<const FoundPlane> planes, const Pose& pose,
+                                             const PlaneGate& gate) {
+  std::vector<FramePlane> ready;
+  ready.reserve(planes.size());
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    FramePlane plane;
+    plane.in_camera = planes[i].fit.plane;
+    if (!is_plane(plane.in_camera) || !finite(planes[i].fit.centroid))
+      return Failure{Problem::bad_content, "plane " + std::to_string(i + 1) + " of the frame is no plane"};
+    const Vector3 foot = pose.apply(plane.in_camera.distance * plane.in_camera.normal);
+    plane.towards_camera = normalized(-pose.turned(plane.in_camera.normal));
+    const Vector3 middle{grid_middle, grid_middle, grid_middle};
+    plane.offset = dot(plane.towards_camera, plane_grid::quanta_per_m * foot + middle);
+    plane.normal = grid_normal(plane.towards_camera);
+    plane.direction = direction_bin(plane.normal);
+    plane.tilt = tilt_of(planes[i].fit);
+    set_weight(plane, gate);
+    for (std::size_t j = 0; j < i && plane.counts; ++j) plane.counts = !same_in_frame(planes[j], planes[i]);
+    ready.push_back(plane);
+  }
+  return ready;
+}
+
+void LeafRun::add(std::int32_t i, std::int32_t j, std::int32_t k, std::int64_t w, std::int64_t r) noexcept {
+  constexpr std::int32_t within = plane_grid::leaf_side - 1;
+  constexpr std::int32_t half = plane_grid::leaf_side / 2;
+  constexpr std::int64_t most = std::int64_t{1} << 30U;
+  const std::int64_t x = (i & within) - half;
+  const std::int64_t y = (j & within) - half;
+  const std::int64_t z = (k & within) - half;
+  const std::int64_t wx = w * x;
+  const std::int64_t wy = w * y;
+  const std::int64_t wz = w * z;
+  sums.readings += 1;
+  sums.weight += w;
+  sums.x += wx;
+  sums.y += wy;
+  sums.z += wz;
+  sums.xx += wx * x;
+  sums.xy += wx * y;
+  sums.xz += wx * z;
+  sums.yy += wy * y;
+  sums.yz += wy * z;
+  sums.zz += wz * z;
+  sums.residual += std::min(w * r * r, most);
+}
+
+void LeafWriter::put(LeafRun& run, double spacing) {
+  if (run.label == 0) return;
+  const FramePlane& plane = planes_[run.label - 1];
+  const auto centre = [](std::uint32_t i) {
+    return (static_cast<double>(i) + 0.5) * static_cast<double>(plane_grid::leaf_side);
+  };
+  const Vector3 middle{centre(run.place.x), centre(run.place.y), centre(run.place.z)};
+  const double offset = plane.offset - dot(plane.towards_camera, middle);
+  PlaneLeafSums& s = run.sums;
+  s.nx = s.weight * plane.normal.x;
+  s.ny = s.weight * plane.normal.y;
+  s.nz = s.weight * plane.normal.z;
+  s.tilt = s.weight * plane.tilt;
+  const double quanta = spacing * plane_grid::quanta_per_m;
+  if (spacing > 0)
+    s.spacing = quanta < plane_grid::no_spacing ? static_cast<std::uint16_t>(quanta) : plane_grid::no_spacing;
+
+  const std::size_t place = leaves_.place({leaf_code(run.place), surface_bin(plane.direction, offset)});
+  if (place >= tally_.size()) tally_.resize(place + 1 + tally_.size() / 2, 0);
+  if (tally_[place] == 0) touched_.push_back({static_cast<std::uint32_t>(place), run.label});
+  tally_[place] += static_cast<std::uint32_t>(s.readings);
+  PlaneLeafSums& sums = leaves_.at(place);
+  sums.add(s);
+  leaves_.note_fullest(sums.readings);
+  run = {};
+}
+
+RegisteredFrame LeafWriter::finish() {
+  RegisteredFrame frame;
+  frame.planes.resize(planes_.size());
+  for (const Touched& t : touched_) {
+    PlaneAnchors& anchors = frame.planes[t.label - 1];
+    PlaneLeafKey key = leaves_.leaf(t.place).key;
+    std::uint32_t readings = tally_[t.place];
+    frame.placed += readings;
+    tally_[t.place] = 0;
+    for (std::size_t i = 0; i < anchors.leaves.size(); ++i) {
+      const bool before = readings > anchors.readings[i] ||
+                          (readings == anchors.readings[i] && key < anchors.leaves[i]);
+      if (!before) continue;
+      std::swap(key, anchors.leaves[i]);
+      std::swap(readings, anchors.readings[i]);
+    }
+  }
+  for (std::size_t p = 0; p < planes_.size(); ++p) {
+    if (planes_[p].counts && frame.planes[p].readings[0] > 0)
+      ++leaves_.at(leaves_.place(frame.planes[p].leaves[0])).sightings;
+  }
+  ++leaves_.frames;
+  return frame;
+}
+
+}  // namespace straightedge

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "straightedge/host/plane_map_builder.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "map/plane_export.hpp"
+#include "map/plane_frame.hpp"
+#include "map/plane_groups.hpp"
+#include "map/plane_register.hpp"
+
+namespace straightedge {
+namespace {
+
+bool between(double value, double low, double high) {
+  return value >= low && value <= high;
+}
+
+Result<Done> check_options(const PlaneMapOptions& o) {
+  const bool good = o.gate.valid() && between(o.floor.angle_rad, 0, 1) && between(o.floor.offset_m, 0, 1) &&
+                    between(o.reading_floor, 0, 10) && between(o.shared_noise, 1, 1e6) &&
+                    between(o.chi_square, 1e-9, 1e9) && between(o.max_angle, 0, 1) &&
+                    between(o.max_offset, 0, 1) && between(o.min_area, 0, 1e6) && between(o.max_gap, 0, 10) &&
+                    between(o.max_hole, 0, 1e6);
+  if (!good) return Failure{Problem::bad_option, "an option of the plane map is out of its range"};
+  return Done{};
+}
+
+Failure refusal(const char* sentence) {
+  return {Problem::bad_content, sentence};
+}
+
+Result<Done> check_labels(std::uint32_t largest, std::size_t planes) {
+  if (largest <= planes) return Done{};
+  return Failure{Problem::bad_content, "label " + std::to_string(largest) + " of the frame has no plane"};
+}
+
+std::uint16_t largest_label(ImageView<const std::uint16_t> labels) {
+  std::uint16_t largest = 0;
+  for (std::int32_t y = 0; y < labels.height; ++y) {
+    const std::uint16_t* row = labels.row(y);
+    for (std::int32_t x = 0; x < labels.width; ++x) largest = std::max(largest, row[x]);
+  }
+  return largest;
+}
+
+Result<std::vector<FramePlane>> prepare_frame(const PlaneMapOptions& options, const PlaneLeaves& leaves,
+                                              std::uint64_t readings, std::uint16_t largest,
+                                              std::span<const FoundPlane> planes, const Pose& pose) {
+  if (const auto good = check_options(options); !good) return good.failure();
+  if (const auto good = check_labels(largest, planes.size()); !good) return good.failure();
+  if (const auto good = check_pose(pose); !good) return good.failure();
+  if (leaves.fullest() + readings > plane_grid::most_readings)
+    return refusal("a leaf of the plane map cannot sum more readings");
+  return frame_planes(planes, pose, options.gate);
+}
+
+/// Step 8: the largest first, then by normal and distance.
+bool comes_first(const MapPlane& a, const MapPlane& b) {
+  if (a.points != b.points) return a.points > b.points;
+  const Vector3& n = a.plane.normal;
+  const Vector3& m = b.plane.normal;
+  if (n.x != m.x) return n.x < m.x;
+  if (n.y != m.y) return n.y < m.y;
+  if (n.z != m.z) return n.z < m.z;
+  return a.plane.distance < b.plane.distance;
+}
+
+}  // namespace
+
+Result<RegisteredFrame> PlaneMapBuilder::add(const DepthView& depth, ImageView<const std::uint16_t> labels,
+                                             std::span<const FoundPlane> planes,
+                                             const Pose& world_from_camera) {
+  if (!depth.valid() || !labels.valid()) return refusal("the frame has no pixels or no camera");
+  if (depth.raw.size() != labels.size()) return refusal("the frame and its labels differ in size");
+  const auto pixels = static_cast<std::uint64_t>(labels.width) * static_cast<std::uint64_t>(labels.height);
+  const auto ready =
+      prepare_frame(options_, leaves_, pixels, largest_label(labels), planes, world_from_camera);
+  if (!ready) return ready.failure();
+  LeafWriter writer(leaves_, tally_, *ready);
+  const LeftOut out = register_depth(depth, labels, *ready, world_from_camera, writer);
+  RegisteredFrame frame = writer.finish();
+  frame.off_plane = out.off_plane;
+  frame.out_of_range = out.out_of_range;
+  return frame;
+}
+
+Result<RegisteredFrame> PlaneMapBuilder::add(const PointsView& points, std::span<const std::uint16_t> labels,
+                                             std::span<const FoundPlane> planes,
+                                             const Pose& world_from_sensor) {
+  if (!points.valid()) return refusal("the cloud has no points");
+  if (points.count != labels.size()) return refusal("the cloud and its labels differ in size");
+  const std::uint16_t largest = *std::max_element(labels.begin(), labels.end());
+  const auto ready = prepare_frame(options_, leaves_, points.count, largest, planes, world_from_sensor);
+  if (!ready) return ready.failure();
+  LeafWriter writer(leaves_, tally_, *ready);
+  const LeftOut out = register_points(points, labels, *ready, world_from_sensor, writer);
+  RegisteredFrame frame = writer.finish();
+  frame.off_plane = out.off_plane;
+  frame.out_of_range = out.out_of_range;
+  return frame;
+}
+
+Result<Done> PlaneMapBuilder::merge(const PlaneLeaves& other) {
+  if (!leaves_.merge(other)) return refusal("a leaf of the plane map cannot sum more readings");
+  return Done{};
+}
+
+Result<PlaneMapReading> PlaneMapBuilder::build() const {
+  if (const auto good = check_options(options_); !good) return good.failure();
+  PlaneMapReading reading;
+  const std::vector<PlaneLeaf> leaves = leaves_.sorted();
+  reading.report.frames = leaves_.frames;
+  reading.report.leaves = leaves.size();
+  for (const PlaneLeaf& leaf : leaves) reading.report.readings += leaf.sums.readings;
+  // Steps 4 and 5.
+  const std::vector<PlanePatch> patches = make_patches(leaves, options_);
+  reading.report.patches = static_cast<std::uint32_t>(patches.size());
+  const std::vector<PlaneGroup> groups = group_patches(patches, options_);
+  // Step 6.
+  struct Candidate {
+    MapPlane plane;
+    const PlaneGroup* group = nullptr;
+  };
+  std::vector<Candidate> candidates;
+  for (const PlaneGroup& group : groups) {
+    Candidate c{exported(group, options_), &group};
+    if (*c.plane.points < options_.min_points) {
+      ++reading.report.too_few;
+      continue;
+    }
+    candidates.push_back(std::move(c));
+  }
+  // Step 8.
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return comes_first(a.plane, b.plane); });
+  for (Candidate& c : candidates) {
+    c.plane.id = static_cast<std::uint32_t>(reading.map.planes.size() + 1);
+    for (const std::uint32_t p : c.group->patches) {
+      for (const std::uint32_t i : patches[p].leaves) reading.leaf_ids.push_back({leaves[i].key, c.plane.id});
+    }
+    reading.map.planes.push_back(std::move(c.plane));
+  }
+  std::sort(reading.leaf_ids.begin(), reading.leaf_ids.end(),
+            [](const auto& a, const auto& b) { return a.key < b.key; });
+  reading.report.planes = static_cast<std::uint32_t>(reading.map.planes.size());
+  return reading;
+}
+
+std::uint32_t PlaneMapReading::plane_id(const PlaneAnchors& anchors) const {
+  std::array<std::uint32_t, 8> ids{};
+  std::array<std::uint64_t, 8> votes{};
+  for (std::size_t i = 0; i < anchors.leaves.size() && anchors.readings[i] > 0; ++i) {
+    const auto found = std::lower_bound(leaf_ids.begin(), leaf_ids.end(), anchors.leaves[i],
+                                        [](const LeafId& a, const PlaneLeafKey& key) { return a.key < key; });
+    const bool known = found != leaf_ids.end() && found->key == anchors.leaves[i];
+    ids[i] = known ? found->id : 0;
+    for (std::size_t j = 0; j <= i; ++j) {
+      if (ids[j] != ids[i]) continue;
+      votes[j] += anchors.readings[i];
+      break;
+    }
+  }
+  return ids[static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin())];
+}
+
+}  // namespace straightedge

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "map/plane_patches.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "map/plane_key.hpp"
+
+namespace straightedge {
+namespace {
+
+constexpr int block_level = 4;
+
+std::uint64_t block_of(const PlaneLeaf& leaf) {
+  return leaf.key.leaf >> (3 * block_level);
+}
+
+void patches_of_block(std::span<const PlaneLeaf> leaves, std::uint32_t first, std::uint32_t end,
+                      const PlaneMapOptions& options, std::vector<PlanePatch>& patches) {
+  const std::size_t before = patches.size();
+  const Vector3 origin = cube_centre(leaves[first].key.leaf, block_level);
+  std::vector<std::uint32_t> heaviest_first(end - first);
+  std::iota(heaviest_first.begin(), heaviest_first.end(), first);
+  std::stable_sort(heaviest_first.begin(), heaviest_first.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return leaves[a].sums.weight > leaves[b].sums.weight;
+  });
+  for (const std::uint32_t i : heaviest_first) {
+    const Surface piece = surface_of(leaves[i], origin);
+    const SurfaceEstimate where = estimate(piece, options);
+    PlanePatch* best = nullptr;
+    double least = 0;
+    for (std::size_t p = before; p < patches.size(); ++p) {
+      // A patch is seen from one side: what is seen from behind may be the back of a thin wall.
+      if (dot(patches[p].estimate.normal, where.normal) < 0) continue;
+      const Agreement a = agree(patches[p].estimate, where, options);
+      if (!a.possible || (best != nullptr && a.miss >= least)) continue;
+      best = &patches[p];
+      least = a.miss;
+    }
+    if (best == nullptr) {
+      patches.push_back({piece, where, {i}});
+      continue;
+    }
+    best->surface.add(piece);
+    best->leaves.push_back(i);
+    best->estimate = estimate(best->surface, options);
+  }
+}
+
+}  // namespace
+
+std::vector<PlanePatch> make_patches(std::span<const PlaneLeaf> leaves, const PlaneMapOptions& options) {
+  std::vector<PlanePatch> patches;
+  std::size_t first = 0;
+  while (first < leaves.size()) {
+    std::size_t end = first + 1;
+    while (end < leaves.size() && block_of(leaves[end]) == block_of(leaves[first])) ++end;
+    patches_of_block(leaves, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end), options,
+                     patches);
+    first = end;
+  }
+  std::stable_sort(patches.begin(), patches.end(), [](const PlanePatch& a, const PlanePatch& b) {
+    return a.surface.moments.weight > b.surface.moments.weight;
+  });
+  return patches;
+}
+
+}  // namespace straightedge

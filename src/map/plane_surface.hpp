@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "straightedge/host/plane_leaves.hpp"
+#include "straightedge/host/plane_map_builder.hpp"
+#include "straightedge/plane_fit.hpp"
+
+namespace straightedge {
+
+/// Sums over leaves in metres: what the leaves' integers mean. A leaf, a patch and a whole plane are all
+/// surfaces.
+struct Surface {
+  Vector3 origin;        ///< world; the moments count from here
+  PlaneMoments moments;  ///< weights 1/m²; count: readings
+  Vector3 towards_camera;  ///< sum of w · normal; of a plane of several patches, turned to one side
+  double tilt = 0;         ///< sum of w · variance of the normal
+  double residual = 0;     ///< sum of w · squared distance from the frame's plane
+  double seen_front = 0, seen_back = 0;  ///< weights of what was seen from the normal's side and from behind
+  std::uint64_t sightings = 0;
+
+  /// Adds another one, turned if need be so that both normals point to one side.
+  void add(const Surface& other);
+};
+
+/// The sums of one leaf, counted from `origin`.
+Surface surface_of(const PlaneLeaf& leaf, const Vector3& origin);
+
+/// Where a surface is and how well that is known. Errors of the two tilts and of the offset at the centroid
+/// are independent.
+struct SurfaceEstimate {
+  Vector3 centroid, normal;
+  Vector3 u, v;  ///< with the normal an orthonormal basis, right-handed
+  double var_u = 0, var_v = 0, var_offset = 0;
+  double extent = 0;  ///< metres, root mean square distance of the readings from the centroid
+};
+
+/// The normal comes from the sums over places or from the mean of the frame planes' normals, whichever is
+/// known better: the latter for small pieces of well-seen walls.
+SurfaceEstimate estimate(const Surface& surface, const PlaneMapOptions& options);
+
+/// The plane that fits the sums best, with its residual and the covariance of readings that share noise.
+PlaneFit fitted(const Surface& surface, const PlaneMapOptions& options);
+
+/// Whether a piece may be of a plane, and by how much it misses it.
+struct Agreement {
+  bool possible = false;
+  double miss = 0;  ///< metres²; a tilt counts as it shows 0.3 m from the centroid
+};
+Agreement agree(const SurfaceEstimate& plane, const SurfaceEstimate& piece, const PlaneMapOptions& options);
+
+}  // namespace straightedge
