@@ -8,6 +8,7 @@
 #include <new>
 
 #include "io/base64.hpp"
+#include "io/hex_colour.hpp"
 #include "io/image_placement.hpp"
 #include "io/map_colours.hpp"
 #include "io/number_text.hpp"
@@ -25,20 +26,10 @@ using tinyxml2::XMLElement;
 constexpr double wanted_size = 900;
 constexpr double legend_height = 34;
 
-std::string hex(Rgb colour) {
-  constexpr const char* digits = "0123456789abcdef";
-  std::string text = "#";
-  for (const unsigned char value : {colour.red, colour.green, colour.blue}) {
-    text += digits[value >> 4];
-    text += digits[value & 15];
-  }
-  return text;
-}
-
 std::string style_sheet() {
-  const std::string face = hex(io::face_colour);
-  const std::string axis = hex(io::axis_colour);
-  const std::string free = hex(io::free_colour);
+  const std::string face = io::hex(io::face_colour);
+  const std::string axis = io::hex(io::axis_colour);
+  const std::string free = io::hex(io::free_colour);
   return "line{stroke-width:1.6;stroke-linecap:round}.face{stroke:" + face + "}.axis{stroke:" + axis +
          "}.band{stroke:" + axis + ";stroke-opacity:" + io::to_text(io::band_opacity) +
          ";stroke-linecap:butt}.free{stroke:" + free +
