@@ -16,7 +16,7 @@
 namespace straightedge {
 
 /// A plane that a search proposes; which pixels are its own is settled afterwards.
-struct PlaneCandidate {
+struct ProposedPlane {
   InverseDepthFit fit;
   double score = 0;              ///< as FoundPlane::score
   double confidence = 0;         ///< as FoundPlane::confidence
@@ -30,7 +30,7 @@ struct PlaneSearch {
   void* user = nullptr;
   std::uint32_t (*run)(void* user, ImageView<const float> inverse_depth,
                        ImageView<const std::uint16_t> labels, const PinholeCamera& camera,
-                       std::span<PlaneCandidate> out) noexcept = nullptr;
+                       std::span<ProposedPlane> out) noexcept = nullptr;
 };
 
 struct FramePlanesOptions {
@@ -106,7 +106,7 @@ class FramePlanes {
     const std::size_t small_cells = DepthCells::cell_count(DepthCells::size_of(size, 0));
     visited_ = arena.take<std::uint16_t>(small_cells);
     list_ = arena.take<std::int32_t>(small_cells);
-    candidates_ = arena.take<PlaneCandidate>(options.max_planes);
+    candidates_ = arena.take<ProposedPlane>(options.max_planes);
     moments_ = arena.take<InverseDepthMoments>(options.max_planes);
   }
   void search_round(const DepthView& depth, const PlaneSearch& search, ImageView<std::uint16_t> labels,
@@ -130,7 +130,7 @@ class FramePlanes {
   std::array<std::span<std::uint16_t>, DepthCells::levels> cell_labels_{};
   std::span<std::uint16_t> visited_;
   std::span<std::int32_t> list_;
-  std::span<PlaneCandidate> candidates_;
+  std::span<ProposedPlane> candidates_;
   std::span<InverseDepthMoments> moments_;
   std::uint32_t count_ = 0;
 };

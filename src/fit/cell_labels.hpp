@@ -14,7 +14,7 @@ namespace straightedge::detail {
 using CellLabels = std::array<std::span<std::uint16_t>, DepthCells::levels>;
 
 /// Step 3 of frame_planes.hpp: every cell of every level takes one of the planes (its index + 1) or none (0).
-void label_cells(const DepthCells& cells, std::span<const PlaneCandidate> planes, const PlaneGate& gate,
+void label_cells(const DepthCells& cells, std::span<const ProposedPlane> planes, const PlaneGate& gate,
                  const CellLabels& labels) noexcept;
 
 }  // namespace straightedge::detail

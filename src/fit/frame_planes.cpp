@@ -137,7 +137,7 @@ void FramePlanes::clear_cell(std::int32_t cell) noexcept {
 void FramePlanes::search_round(const DepthView& depth, const PlaneSearch& search,
                                ImageView<std::uint16_t> labels, PlanesFound& found) noexcept {
   // Step 2.
-  const std::span<PlaneCandidate> room = candidates_.subspan(count_);
+  const std::span<ProposedPlane> room = candidates_.subspan(count_);
   const std::uint32_t added = search.run(search.user, inverse_depth_, labels, depth.camera, room);
   for (std::uint32_t k = 0; k < added; ++k) found.iterations += room[k].iterations;
   count_ += added;
@@ -186,7 +186,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
   Status status = Status::ok;
   for (std::uint32_t i = 0; i < count_; ++i) {
     const InverseDepthMoments& m = moments_[order[i]];
-    const PlaneCandidate& candidate = candidates_[order[i]];
+    const ProposedPlane& candidate = candidates_[order[i]];
     InverseDepthFit fit;
     FoundPlane plane;
     const double sigma = options_.gate.inverse_sigma * __builtin_sqrt(options_.noise_pixels);

@@ -16,7 +16,7 @@ constexpr double chi_square_gate = 11.34;
 constexpr double floor_deviations = 0.5;
 
 /// What it costs, in squared residuals, that both have one plane instead of their own.
-bool are_one(const PlaneCandidate& a, const InverseDepthMoments& of_a, const PlaneCandidate& b,
+bool are_one(const ProposedPlane& a, const InverseDepthMoments& of_a, const ProposedPlane& b,
              const InverseDepthMoments& of_b, const FramePlanesOptions& options,
              InverseDepthFit& both) noexcept {
   InverseDepthMoments sum = of_a;
@@ -31,7 +31,7 @@ bool are_one(const PlaneCandidate& a, const InverseDepthMoments& of_a, const Pla
 
 }  // namespace
 
-void join_planes(std::span<PlaneCandidate> planes, std::span<InverseDepthMoments> moments,
+void join_planes(std::span<ProposedPlane> planes, std::span<InverseDepthMoments> moments,
                  const FramePlanesOptions& options, std::span<std::uint16_t> becomes) noexcept {
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (becomes[i] != i) continue;

@@ -12,7 +12,7 @@ namespace straightedge::detail {
 /// Step 7 of frame_planes.hpp: a label for every pixel from those of the cells of level 0; sums of each
 /// label's pixels on the way.
 void label_pixels(ImageView<const float> inverse_depth, const DepthCells& cells,
-                  std::span<const std::uint16_t> cell_labels, std::span<const PlaneCandidate> planes,
+                  std::span<const std::uint16_t> cell_labels, std::span<const ProposedPlane> planes,
                   const PlaneGate& gate, ImageView<std::uint16_t> labels,
                   std::span<InverseDepthMoments> moments) noexcept;
 
