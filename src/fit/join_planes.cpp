@@ -11,9 +11,9 @@ namespace {
 
 // One true pair in a hundred lies further apart (chi-square, 3 degrees of freedom).
 constexpr double chi_square_gate = 11.34;
-// Errors of the sensor that no number of readings averages away: planes half a standard deviation of one
-// reading apart (root mean square over the smaller one) are one in any case.
-constexpr double floor_deviations = 0.5;
+// Two planes that share the cells of one surface part them by the sign of their noise, and so lie about one
+// standard deviation apart; real ones so near cannot be told apart. Root mean square over the smaller one.
+constexpr double floor_deviations = 1.5;
 
 /// What it costs, in squared residuals, that both have one plane instead of their own.
 bool are_one(const ProposedPlane& a, const InverseDepthMoments& of_a, const ProposedPlane& b,
@@ -25,7 +25,7 @@ bool are_one(const ProposedPlane& a, const InverseDepthMoments& of_a, const Prop
   if (fit_inverse_depth(sum, noise, both) != Status::ok) return false;
   const double apart = squared_residuals(of_a, a.fit.plane) + squared_residuals(of_b, b.fit.plane);
   const double cost = (squared_residuals(sum, both.plane) - apart) / (noise * noise);
-  const double floor = floor_deviations * floor_deviations * std::min(of_a.n, of_b.n);
+  const double floor = floor_deviations * floor_deviations * of_a.n * of_b.n / sum.n;
   return cost < chi_square_gate * options.noise_pixels + floor;
 }
 
