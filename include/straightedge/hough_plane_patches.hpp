@@ -24,6 +24,8 @@ struct HoughPatchOptions {
   std::int32_t largest_patch = 64;     ///< pixels: 8, 16, 32 or 64
   double shared_noise_pixels = 16;     ///< neighbours that share their noise, [1, 1000]; 1: independent
   double max_spread_rad = 0.35;        ///< patches that know their normal less well do not vote, (0, 1]
+  double warp_sigmas = 0.5;            ///< bumps of the depth that neighbours share, in units of the gate's sigma, [0, 10]
+  double bend_rad = 0.05;              ///< what they do to a patch's normal, [0, 0.5]
   std::uint32_t min_pixels = 300;      ///< a candidate's patches have at least so many readings
   std::int32_t max_candidates = 64;    ///< [1, 1024]
   std::int32_t rounds = 3;             ///< votings; each after the first by what is left, [1, 16]
