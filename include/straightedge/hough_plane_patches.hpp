@@ -22,8 +22,10 @@ struct HoughPatchOptions {
   HoughAccumulatorOptions accumulator;
   double max_distance_m = 8;           ///< of planes from the camera, (0, 1e6]; farther ones share a cell
   std::int32_t largest_patch = 64;     ///< pixels: 8, 16, 32 or 64
-  double shared_noise_pixels = 24;     ///< neighbours that share their noise, [1, 1000]; 1: independent
+  double shared_noise_pixels = 16;     ///< neighbours that share their noise, [1, 1000]; 1: independent
   double max_spread_rad = 0.35;        ///< patches that know their normal less well do not vote, (0, 1]
+  double warp_sigmas = 0.5;            ///< bumps of the depth that neighbours share, in units of the gate's sigma, [0, 10]
+  double bend_rad = 0.05;              ///< what they do to a patch's normal, [0, 0.5]
   std::uint32_t min_pixels = 300;      ///< a candidate's patches have at least so many readings
   std::int32_t max_candidates = 64;    ///< [1, 1024]
   std::int32_t rounds = 3;             ///< votings; each after the first by what is left, [1, 16]
@@ -80,8 +82,6 @@ class HoughPatchSearch {
   const HoughAccumulator& accumulator() const noexcept { return memory_.accumulator; }
 
   struct Memory {
-    std::span<float> columns;
-    std::span<std::uint32_t> seen;
     std::span<InverseDepthMoments> levels[4];
     std::span<HoughPatch> patches;
     std::span<HoughPlanePeak> peaks;
@@ -89,9 +89,6 @@ class HoughPatchSearch {
     HoughAccumulator accumulator;
 
     constexpr void take(Arena& arena, Size size, const HoughPatchOptions& options) noexcept {
-      const auto width = static_cast<std::size_t>(size.width) + hough_patch_side;
-      columns = arena.take<float>(4 * width);
-      seen = arena.take<std::uint32_t>(width);
       std::int32_t side = hough_patch_side;
       for (auto& level : levels) {
         level = arena.take<InverseDepthMoments>(cells(size, side));

@@ -3,6 +3,7 @@
 #include "hough/planes/patch_cells.hpp"
 
 #include <array>
+#include <bit>
 
 #include "straightedge/hough_plane_patches.hpp"
 
@@ -10,7 +11,6 @@ namespace straightedge::hough {
 namespace {
 
 constexpr std::int32_t side = hough_patch_side;
-constexpr float nearest = 1e4F;  // 1/metre; a reading beyond is no reading
 
 /// How many bits are set, and the sums of their numbers and of their squares. (std::popcount would call the
 /// compiler's run-time library on machines without the instruction.)
@@ -36,65 +36,82 @@ constexpr RowSums make_row_sums() noexcept {
 constexpr RowSums row_sums = make_row_sums();
 static_assert(row_sums.v[255] == 28 && row_sums.vv[255] == 140);
 
-bool is_reading(float q) noexcept {
-  return q > 0 && q <= nearest;
+/// The pixels of one cell, rows `stride` floats apart.
+struct CellPixels {
+  const float* first = nullptr;
+  std::ptrdiff_t stride = 0;
+  std::int32_t rows = side;
+};
+
+/// Sums of each of a cell's columns; q counts from a reference, v from the cell's first row.
+struct ColumnSums {
+  std::array<float, side> q{}, qq{}, vq{};
+  std::array<std::int32_t, side> seen{};  ///< bit v: there is a reading in that row
+};
+
+/// Whole cells without a mask are read where they are; others are copied, with 0 where no reading takes part.
+CellPixels pixels_of(const DepthInput& input, std::int32_t x0, std::int32_t y0,
+                     std::array<float, side * side>& copy) noexcept {
+  const ImageView<const float>& picture = input.inverse_depth;
+  const bool whole = x0 + side <= picture.width && y0 + side <= picture.height;
+  const bool in_floats = picture.stride % static_cast<std::ptrdiff_t>(sizeof(float)) == 0;
+  if (whole && in_floats && input.mask.data == nullptr) {
+    return {picture.row(y0) + x0, picture.stride / static_cast<std::ptrdiff_t>(sizeof(float)), side};
+  }
+  copy = {};
+  for (std::int32_t v = 0; v < side && y0 + v < picture.height; ++v) {
+    for (std::int32_t u = 0; u < side && x0 + u < picture.width; ++u) {
+      if (is_reading(input, x0 + u, y0 + v)) {
+        copy[static_cast<std::size_t>(v * side + u)] = picture.at(x0 + u, y0 + v);
+      }
+    }
+  }
+  return {copy.data(), side, side};
 }
 
-/// A reading of this cell, if it has any; its middle one is asked first.
-float reference_of(const DepthInput& input, std::int32_t x0, std::int32_t y0) noexcept {
-  const ImageView<const float>& picture = input.inverse_depth;
-  const std::int32_t x1 = x0 + side < picture.width ? x0 + side : picture.width;
-  const std::int32_t y1 = y0 + side < picture.height ? y0 + side : picture.height;
-  const float middle = picture.at((x0 + x1) / 2, (y0 + y1) / 2);
+/// A reading of the cell, if it has any; one in its middle is asked first.
+float reference_of(const CellPixels& cell) noexcept {
+  const float middle = cell.first[side / 2 * cell.stride + side / 2];
   if (is_reading(middle)) return middle;
-  for (std::int32_t y = y0; y < y1; ++y) {
-    for (std::int32_t x = x0; x < x1; ++x) {
-      if (is_reading(picture.at(x, y))) return picture.at(x, y);
+  for (std::ptrdiff_t v = 0; v < side; ++v) {
+    for (std::ptrdiff_t u = 0; u < side; ++u) {
+      if (is_reading(cell.first[v * cell.stride + u])) return cell.first[v * cell.stride + u];
     }
   }
   return 0;
 }
 
-void start_columns(const DepthInput& input, std::int32_t y0, const ColumnSums& columns) noexcept {
-  const std::int32_t width = input.inverse_depth.width;
-  for (std::int32_t x0 = 0; x0 < width; x0 += side) {
-    const float reference = reference_of(input, x0, y0);
-    for (std::int32_t u = 0; u < side; ++u) columns.reference[static_cast<std::size_t>(x0 + u)] = reference;
+/// No branch and no comparison of floats in the loop, so that a compiler takes several columns at a time:
+/// the bits of floats above 0, read as integers, have the floats' order, and those of NaN and of negative floats lie
+/// outside the range. Kept out of its caller, where compilers would take the sums apart into single columns.
+[[gnu::noinline]] ColumnSums sum_rows(const CellPixels& cell, float reference) noexcept {
+  constexpr auto farthest = std::bit_cast<std::int32_t>(largest_reading);
+  ColumnSums sums;
+  for (std::int32_t v = 0; v < cell.rows; ++v) {
+    const float* row = cell.first + v * cell.stride;
+    const auto factor = static_cast<float>(v);
+    const std::int32_t bit = 1 << v;
+    for (std::size_t u = 0; u < side; ++u) {
+      const auto bits = std::bit_cast<std::int32_t>(row[u]);
+      const std::int32_t reading = -static_cast<std::int32_t>((bits > 0) & (bits <= farthest));
+      const float difference = row[u] - reference;
+      const auto q = std::bit_cast<float>(std::bit_cast<std::int32_t>(difference) & reading);
+      sums.q[u] += q;
+      sums.qq[u] += q * q;
+      sums.vq[u] += factor * q;
+      sums.seen[u] |= reading & bit;
+    }
   }
-  for (std::size_t x = 0; x < columns.seen.size(); ++x) {
-    columns.q[x] = columns.qq[x] = columns.vq[x] = 0;
-    columns.seen[x] = 0;
-  }
+  return sums;
 }
 
-/// No branch in the loop, so that a compiler may take several pixels at a time.
-template <class IsFree>
-void add_row(const float* row, std::int32_t width, std::int32_t v, const ColumnSums& columns,
-             IsFree is_free) noexcept {
-  const float* const reference = columns.reference.data();
-  float* const q_sum = columns.q.data();
-  float* const qq_sum = columns.qq.data();
-  float* const vq_sum = columns.vq.data();
-  std::uint32_t* const seen = columns.seen.data();
-  const auto factor = static_cast<float>(v);
-  const std::uint32_t bit = 1U << static_cast<std::uint32_t>(v);
-  for (std::int32_t x = 0; x < width; ++x) {
-    const bool reading = (row[x] > 0) & (row[x] <= nearest) & is_free(x);
-    const float q = reading ? row[x] - reference[x] : 0.0F;
-    q_sum[x] += q;
-    qq_sum[x] += q * q;
-    vq_sum[x] += factor * q;
-    seen[x] |= reading ? bit : 0U;
-  }
-}
-
-/// The eight columns of a cell together, u from its first column, q from its reference.
-InverseDepthMoments sum_columns(const ColumnSums& columns, std::int32_t x0) noexcept {
+/// The eight columns together, u from the first.
+InverseDepthMoments sum_columns(const ColumnSums& columns) noexcept {
   std::int32_t n = 0, u_sum = 0, v_sum = 0, uu = 0, uv = 0, vv = 0;
   InverseDepthMoments m;
   for (std::int32_t u = 0; u < side; ++u) {
-    const auto x = static_cast<std::size_t>(x0 + u);
-    const std::uint32_t seen = columns.seen[x];
+    const auto column = static_cast<std::size_t>(u);
+    const auto seen = static_cast<std::size_t>(columns.seen[column]);
     const std::int32_t count = row_sums.count[seen];
     n += count;
     u_sum += u * count;
@@ -102,11 +119,11 @@ InverseDepthMoments sum_columns(const ColumnSums& columns, std::int32_t x0) noex
     v_sum += row_sums.v[seen];
     uv += u * row_sums.v[seen];
     vv += row_sums.vv[seen];
-    const auto q = static_cast<double>(columns.q[x]);
+    const auto q = static_cast<double>(columns.q[column]);
     m.q += q;
     m.uq += u * q;
-    m.vq += static_cast<double>(columns.vq[x]);
-    m.qq += static_cast<double>(columns.qq[x]);
+    m.vq += static_cast<double>(columns.vq[column]);
+    m.qq += static_cast<double>(columns.qq[column]);
   }
   m.n = n;
   m.u = u_sum;
@@ -128,25 +145,15 @@ InverseDepthMoments with_reference(InverseDepthMoments m, double reference) noex
 
 }  // namespace
 
-void sum_cells(const DepthInput& input, const ColumnSums& columns,
-               std::span<InverseDepthMoments> cells) noexcept {
-  const ImageView<const float>& picture = input.inverse_depth;
+void sum_cells(const DepthInput& input, std::span<InverseDepthMoments> cells) noexcept {
+  std::array<float, side * side> copy;
   std::size_t cell = 0;
-  for (std::int32_t y0 = 0; y0 < picture.height; y0 += side) {
-    start_columns(input, y0, columns);
-    for (std::int32_t v = 0; v < side && y0 + v < picture.height; ++v) {
-      const float* row = picture.row(y0 + v);
-      if (input.mask.data == nullptr) {
-        add_row(row, picture.width, v, columns, [](std::int32_t) noexcept { return true; });
-      } else {
-        const std::uint16_t* mask = input.mask.row(y0 + v);
-        add_row(row, picture.width, v, columns, [mask](std::int32_t x) noexcept { return mask[x] == 0; });
-      }
-    }
-    for (std::int32_t x0 = 0; x0 < picture.width; x0 += side, ++cell) {
-      const InverseDepthMoments local = sum_columns(columns, x0);
-      const auto reference = static_cast<double>(columns.reference[static_cast<std::size_t>(x0)]);
-      cells[cell] = with_reference(local, reference).seen_from(-x0, -y0);
+  for (std::int32_t y0 = 0; y0 < input.inverse_depth.height; y0 += side) {
+    for (std::int32_t x0 = 0; x0 < input.inverse_depth.width; x0 += side, ++cell) {
+      const CellPixels pixels = pixels_of(input, x0, y0, copy);
+      const float reference = reference_of(pixels);
+      const InverseDepthMoments local = sum_columns(sum_rows(pixels, reference));
+      cells[cell] = with_reference(local, static_cast<double>(reference)).seen_from(-x0, -y0);
     }
   }
 }

@@ -16,17 +16,18 @@ struct DepthInput {
   ImageView<const std::uint16_t> mask;
 };
 
-/// For each column of the picture what one row of cells adds up, relative to a 1/z near the cell's own: so
-/// float sums lose nothing that matters.
-struct ColumnSums {
-  std::span<float> reference;  ///< the same for all columns of a cell
-  std::span<float> q, qq, vq;  ///< v counts from the row of cells' first row
-  std::span<std::uint32_t> seen;  ///< bit v: there is a reading in that row
-};
+/// A reading of 1/z is above 0 and at most 1e4: farther than a tenth of a millimetre.
+inline constexpr float largest_reading = 1e4F;
+inline bool is_reading(float q) noexcept {
+  return q > 0 && q <= largest_reading;
+}
+inline bool is_reading(const DepthInput& input, std::int32_t x, std::int32_t y) noexcept {
+  return is_reading(input.inverse_depth.at(x, y)) && (input.mask.data == nullptr || input.mask.at(x, y) == 0);
+}
 
-/// Sums of the cells of hough_patch_side squared, row by row, u and v from pixel (0, 0). One pass over the picture.
-void sum_cells(const DepthInput& input, const ColumnSums& columns,
-               std::span<InverseDepthMoments> cells) noexcept;
+/// Sums of the cells of hough_patch_side squared, row by row, u and v from pixel (0, 0). One pass over the
+/// picture. Within a cell q counts from one of its readings, so that float sums lose nothing that matters.
+void sum_cells(const DepthInput& input, std::span<InverseDepthMoments> cells) noexcept;
 
 /// Cells of twice the side from four (at the borders fewer) of a level with this many columns and rows.
 void sum_four(std::span<const InverseDepthMoments> fine, Size fine_cells,

@@ -36,11 +36,14 @@ double patch_distance(const PatchScene& scene, const HoughPatch& patch, const In
   const double gate = scene.gate.sigmas * sigma;
   if (!(off * off <= gate * gate) || !(predicted <= known_sigmas * known_sigmas * sigma * sigma)) return 1e9;
   const double da = fit.plane.a - patch.plane.a, db = fit.plane.b - patch.plane.b;
-  const double saa = aa + patch.slope_covariance[0], sab = ab + patch.slope_covariance[1],
-               sbb = bb + patch.slope_covariance[2];
+  const double bent_a = scene.options.bend_rad / (patch.space.distance * scene.camera.fx);
+  const double bent_b = scene.options.bend_rad / (patch.space.distance * scene.camera.fy);
+  const double saa = aa + patch.slope_covariance[0] + bent_a * bent_a, sab = ab + patch.slope_covariance[1],
+               sbb = bb + patch.slope_covariance[2] + bent_b * bent_b;
   const double determinant = saa * sbb - sab * sab;
   const double slopes = (da * da * sbb - 2 * da * db * sab + db * db * saa) / determinant;
-  return off * off / (variance + 0.0625 * sigma * sigma) + slopes;
+  const double warp = scene.options.warp_sigmas * sigma;
+  return off * off / (variance + warp * warp) + slopes;
 }
 
 bool fit_sum(const PatchScene& scene, const PatchSum& sum, InverseDepthFit& fit) noexcept {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hough/planes/patch_cells.hpp"
 #include "hough/planes/patch_growth.hpp"
+#include "hough/planes/patch_rivals.hpp"
 #include "hough/planes/patch_tree.hpp"
 #include "hough/planes/patch_votes.hpp"
 #include "straightedge/hough_plane_patches.hpp"
@@ -13,11 +14,7 @@ using hough::PatchScene;
 
 std::uint32_t sum_levels(const hough::DepthInput& input, HoughPatchSearch::Memory& memory,
                          std::int32_t largest) noexcept {
-  const std::size_t width = memory.seen.size();
-  const hough::ColumnSums columns{memory.columns.first(width), memory.columns.subspan(width, width),
-                                  memory.columns.subspan(2 * width, width),
-                                  memory.columns.subspan(3 * width, width), memory.seen};
-  hough::sum_cells(input, columns, memory.levels[0]);
+  hough::sum_cells(input, memory.levels[0]);
   double readings = 0;
   for (const InverseDepthMoments& cell : memory.levels[0]) readings += cell.n;
   std::int32_t side = hough_patch_side;
@@ -41,6 +38,31 @@ std::uint32_t vote(std::span<const HoughPatch> patches, double step_m,
     ++votes;
   }
   return votes;
+}
+
+/// Takes out candidates that others explain, those with few readings first. Returns how many are left.
+std::uint32_t drop_explained(const PatchScene& scene, const hough::DepthInput& input,
+                             std::span<HoughPatch> patches,
+                             std::span<HoughPlaneCandidate> candidates) noexcept {
+  std::uint32_t last = 0;
+  for (;;) {
+    // The next one in order of (readings, index).
+    std::uint32_t next = 0;
+    bool any = false;
+    for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+      if (candidates[i].pixels <= last) continue;
+      if (!any || candidates[i].pixels < candidates[next].pixels) next = i;
+      any = true;
+    }
+    if (!any) break;
+    last = candidates[next].pixels;
+    if (hough::explained_by_rivals(scene, input, patches, candidates, next)) candidates[next].pixels = 0;
+  }
+  std::uint32_t left = 0;
+  for (const HoughPlaneCandidate& candidate : candidates) {
+    if (candidate.pixels != 0) candidates[left++] = candidate;
+  }
+  return left;
 }
 
 /// Candidates with many readings first; ties keep their order.
@@ -118,6 +140,7 @@ HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, con
     }
     if (found == before) break;
   }
+  found = drop_explained(scene, {inverse_depth, mask}, patches, memory_.candidates.first(found));
   sort(memory_.candidates.first(found));
   for (std::uint32_t i = 0; i < found; ++i) {
     if (i == candidates.size()) {

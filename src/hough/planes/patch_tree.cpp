@@ -9,8 +9,8 @@ namespace {
 constexpr double least_share = 0.25;
 // Standard deviations by which the residual may exceed the noise.
 constexpr double residual_sigmas = 3;
-// The same for the mean residual of a quarter.
-constexpr double quarter_sigmas = 3.5;
+// The same for the mean residuals of a square's parts, which a crease or a curve moves together.
+constexpr double parts_sigmas = 3;
 
 /// Sums about the means.
 struct Centred {
@@ -60,7 +60,7 @@ class Tree {
         s.row * columns(s.level) + s.column)];
   }
   bool planar(const Square& s, const InverseDepthMoments& m) noexcept;
-  bool quarters_agree(const Square& s, const InverseDepthPlane& plane, double noise) const noexcept;
+  bool parts_agree(const Square& s, const InverseDepthPlane& plane, double noise) const noexcept;
 
   const PatchScene& scene_;
   std::span<const std::span<InverseDepthMoments>> levels_;
@@ -107,7 +107,7 @@ bool Tree::planar(const Square& s, const InverseDepthMoments& m) noexcept {
   if (!(variance <= sigma * sigma * (1 + slack))) return false;
   const InverseDepthPlane plane{a, b, c.q - a * c.u - b * c.v};
   const double noise = sigma * sigma * shared;
-  if (s.level > 0 && !quarters_agree(s, plane, noise)) return false;
+  if (s.level > 0 && !parts_agree(s, plane, noise)) return false;
 
   HoughPatch& patch = patches_[size_++];
   patch = {};
@@ -125,15 +125,20 @@ bool Tree::planar(const Square& s, const InverseDepthMoments& m) noexcept {
   return true;
 }
 
-bool Tree::quarters_agree(const Square& s, const InverseDepthPlane& plane, double noise) const noexcept {
-  for (std::int32_t i = 0; i < 4; ++i) {
-    const InverseDepthMoments* m = at({s.level - 1, 2 * s.column + i % 2, 2 * s.row + i / 2});
+bool Tree::parts_agree(const Square& s, const InverseDepthPlane& plane, double noise) const noexcept {
+  const std::int32_t deeper = s.level > 1 ? 2 : 1;
+  const std::int32_t across = 1 << deeper;
+  double sum = 0, parts = 0;
+  for (std::int32_t i = 0; i < across * across; ++i) {
+    const InverseDepthMoments* m =
+        at({s.level - deeper, across * s.column + i % across, across * s.row + i / across});
     if (m == nullptr || m->n < 16) continue;
     const double residual = m->q - plane.a * m->u - plane.b * m->v - plane.c * m->n;
-    // (residual / n)² against noise / n.
-    if (residual * residual > quarter_sigmas * quarter_sigmas * noise * m->n) return false;
+    sum += residual * residual / (noise * m->n);  // (residual / n)² against noise / n
+    ++parts;
   }
-  return true;
+  const double freedom = parts > 4 ? parts - 3 : 1;
+  return sum <= freedom + parts_sigmas * __builtin_sqrt(2 * freedom);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ bool is_peak(const Field& field, std::int32_t direction, std::int32_t k) noexcep
   const std::uint32_t votes = field.values[own];
   bool highest = true;
   field.accumulator.directions().for_neighbours(direction, [&](std::int32_t other) noexcept {
+    if (!highest) return;
     for (std::int32_t beside = k - 1; beside <= k + 1; ++beside) {
       if (beside >= field.accumulator.distances()) continue;
       const std::size_t at = field.index(other, beside);
@@ -37,6 +38,13 @@ bool is_peak(const Field& field, std::int32_t direction, std::int32_t k) noexcep
     }
   });
   return highest;
+}
+
+/// Most directions hold nothing worth a look: the OR of numbers is below none of them, and quickly made.
+bool all_below(std::span<const std::uint32_t> values, std::uint32_t least) noexcept {
+  std::uint32_t bits = 0;
+  for (const std::uint32_t value : values) bits |= value;
+  return bits < least;
 }
 
 /// Puts a peak in its place among those that are sorted already. False: the worst one had to go.
@@ -81,11 +89,15 @@ Status find_plane_peaks(const HoughAccumulator& accumulator, std::span<const std
   if (values.size() != accumulator.votes().size()) return Status::size_mismatch;
   const Field field{accumulator, values};
   Status status = Status::ok;
-  std::size_t at = 0;
+  if (least == 0) least = 1;
+  const auto distances = static_cast<std::size_t>(accumulator.distances());
   for (std::int32_t direction = 0; direction < accumulator.directions().size(); ++direction) {
-    for (std::int32_t k = 0; k < accumulator.distances(); ++k, ++at) {
-      if (values[at] < least || values[at] == 0 || !is_peak(field, direction, k)) continue;
-      if (!insert({direction, k, values[at]}, peaks, count)) status = Status::output_full;
+    const auto row = values.subspan(static_cast<std::size_t>(direction) * distances, distances);
+    if (all_below(row, least)) continue;
+    for (std::int32_t k = 0; k < accumulator.distances(); ++k) {
+      const std::uint32_t votes = row[static_cast<std::size_t>(k)];
+      if (votes < least || !is_peak(field, direction, k)) continue;
+      if (!insert({direction, k, votes}, peaks, count)) status = Status::output_full;
     }
   }
   return status;
