@@ -32,13 +32,24 @@ struct PlanesFound {
 };
 
 /// Gives every point the label of its nearest plane within the gate, else 0; ties go to the lower index.
-/// For the Kinect's noise model, z of the points is the depth seen by a sensor at the origin; a point with
-/// z <= 0 then has no plane. `labels` has one entry a point. Returns how many points got a label.
+///
+/// With gate.fixed_m, nearest is by distance in metres. Otherwise z is the depth that a sensor at the
+/// origin measured, and nearest is by the difference of 1/z from the plane's along the point's ray: the
+/// most likely plane. The gate then is sigmas · inverse_sigma, which is threshold_m(z) to first order; points
+/// with z <= 0 and planes through the origin get nothing. Points that are not finite have label 0.
+///
+/// `labels` has one entry a point, `labelled` says how many got a plane. Points times planes in time.
+/// size_mismatch: `labels` is not as long as the points; too_large: more than 65535 planes.
 Status label_nearest(const PointsView& points, std::span<const FoundPlane> planes, const PlaneGate& gate,
                      std::span<std::uint16_t> labels, std::uint32_t& labelled) noexcept;
 
-/// Fits every plane anew to the points that carry its label, weights 1/sigma² along the normal, and counts
-/// them. A plane with fewer than three points keeps its fit.
+/// Fits every plane anew to the points that carry its label, and counts them. Labels above the number of
+/// planes are no plane.
+///
+/// With gate.fixed_m by fit_plane, the threshold taken as three standard deviations. Otherwise in 1/z over
+/// the rays of the points (inverse_depth.hpp): an orthogonal fit, however weighted, is pulled aside by noise
+/// along oblique rays. Planes whose points make no plane (fewer than three, on one line, for 1/z all seen
+/// from edge-on) keep their fit.
 Status refit_labelled(const PointsView& points, std::span<const std::uint16_t> labels, const PlaneGate& gate,
                       std::span<FoundPlane> planes) noexcept;
 

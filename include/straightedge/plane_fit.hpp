@@ -92,7 +92,11 @@ struct PlaneFloor {
 /// K. Pathak, N. Vaskevicius, A. Birk, "Uncertainty analysis for optimum plane extraction from noisy 3D
 /// range-sensor point-clouds", Intelligent Service Robotics 3(1), 2010, doi:10.1007/s11370-009-0057-4.
 ///
-/// invalid_option: fewer than three points, all on one line, or sums that are not numbers.
+/// The covariance is right for noise along the normal, or the same in all directions. Noise along rays
+/// that meet the plane obliquely tilts step 2 as a slope would: depth frames are for inverse_depth.hpp.
+///
+/// invalid_option: fewer than three points, all on one line, spread alike in two least directions (no plane
+/// fits better than another), or sums that are not numbers. `fit` is left alone then.
 Status fit_plane(const PlaneMoments& moments, PlaneFit& fit) noexcept;
 
 /// Adds the floor to the covariance.
@@ -100,12 +104,12 @@ void add_floor(PlaneFit& fit, const PlaneFloor& floor) noexcept;
 
 /// Chi-square distance (3 degrees of freedom) between two planes that may be the same one: 7.81 is exceeded
 /// by one true pair in twenty, 11.34 by one in a hundred. The test is made midway between the two
-/// centroids; normals may point to opposite sides. A singular sum of covariances gives infinity unless the
-/// planes are equal.
+/// centroids, in the tangents of `a`; normals may point to opposite sides. A singular sum of covariances, or
+/// one that is no covariance, gives infinity unless the planes are equal.
 double plane_chi_square(const PlaneFit& a, const PlaneFit& b) noexcept;
 
-/// Both planes' information together, where the points' sums are not at hand; exact for small angles.
-/// invalid_option: a covariance that is not positive definite.
+/// Both planes' information together, where the points' sums are not at hand; exact for small angles. The
+/// centroid is the mean by weight. invalid_option: a covariance that is not positive definite.
 Status fuse_planes(const PlaneFit& a, const PlaneFit& b, PlaneFit& fused) noexcept;
 
 /// The covariance of (nx, ny, nz, d) without a basis: upper triangle of the 4x4 matrix (rank 3), row by

@@ -5,10 +5,13 @@
 #include <array>
 #include <limits>
 
+#include "straightedge/inverse_depth.hpp"
+
 namespace straightedge {
 namespace {
 
 constexpr std::size_t block = 128;
+constexpr double nowhere = std::numeric_limits<double>::infinity();
 constexpr std::size_t planes_in_a_pass = 16;
 
 /// Some points in doubles; what is no reading is NaN and therefore near to no plane.
@@ -24,59 +27,60 @@ struct Block {
       y[i] = p.y;
       z[i] = p.z;
       limit[i] = fixed ? gate.fixed_m : gate.sigmas * gate.inverse_sigma * p.z;
-      residual[i] = std::numeric_limits<double>::infinity();
+      residual[i] = nowhere;
       label[i] = 0;
     }
   }
 
-  void offer(const Plane& plane, double plane_label, bool fixed) noexcept {
-    // Without a fixed threshold: m·p = 1 is the plane, and (m·p − 1)/z the residual of 1/z.
-    const double scale = fixed ? 1 : 1 / plane.distance;
-    const Vector3 m = scale * plane.normal;
-    const double offset = scale * plane.distance;
+  /// The plane m·p = offset. Selections without branches: two points go at a time.
+  void offer(Vector3 m, double offset, double plane_label) noexcept {
     for (std::size_t i = 0; i < block; ++i) {
       const double signed_residual = m.x * x[i] + m.y * y[i] + m.z * z[i] - offset;
-      const double size = signed_residual < 0 ? -signed_residual : signed_residual;
-      const bool better = (size < residual[i]) & (size <= limit[i]);
-      residual[i] = better ? size : residual[i];
-      label[i] = better ? plane_label : label[i];
+      const double size = __builtin_fabs(signed_residual);
+      const double within = size <= limit[i] ? size : nowhere;
+      label[i] = within < residual[i] ? plane_label : label[i];
+      residual[i] = within < residual[i] ? within : residual[i];
     }
   }
 };
 
-/// A plane's sums, counted from its first point.
+/// A plane's sums: of the points from the first one on, or of 1/z over the rays.
 struct Sums {
-  PlaneMoments moments;
   Vector3 origin;
+  PlaneMoments points;
+  InverseDepthMoments rays;
+  std::uint32_t count = 0;
+
+  void add(const Vector3& p, double fixed_m) noexcept {
+    if (count++ == 0) origin = p;
+    if (fixed_m > 0) {
+      points.add(p - origin, 9 / (fixed_m * fixed_m));
+    } else {
+      rays.add(p.x / p.z, p.y / p.z, 1 / p.z);
+    }
+  }
 };
 
-/// 1/sigma² along the normal of a reading on the plane. The depth is taken from the plane, not from the
-/// reading: weights that follow the noise would pull the plane towards the sensor.
-double weight_of(const Vector3& p, const Plane& plane, const PlaneGate& gate) noexcept {
-  // Seen nearly edge-on the width of a pixel takes over from the noise along its ray.
-  constexpr double least_incidence = 0.02;
-  double sigma = gate.fixed_m / 3;
-  if (!(gate.fixed_m > 0)) {
-    const double along_normal = dot(plane.normal, p);
-    const double ratio = along_normal > 0 ? plane.distance / along_normal : 1;
-    const double z = ratio > 0.5 && ratio < 2 ? ratio * p.z : p.z;
-    const double incidence = (along_normal < 0 ? -along_normal : along_normal) / p.z;
-    sigma = gate.inverse_sigma * z * z * (incidence > least_incidence ? incidence : least_incidence);
+void sum_labelled(const PointsView& points, std::span<const std::uint16_t> labels, double fixed_m,
+                  std::size_t first, std::span<Sums> sums) noexcept {
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const std::size_t index = labels[i] - std::size_t{1} - first;
+    if (index >= sums.size()) continue;
+    const Vector3 p = points.at(i);
+    if (finite(p) && (fixed_m > 0 || p.z > 0)) sums[index].add(p, fixed_m);
   }
-  return 1 / (sigma * sigma);
 }
 
-void sum_labelled(const PointsView& points, std::span<const std::uint16_t> labels, const PlaneGate& gate,
-                  std::span<const FoundPlane> planes, std::size_t first, std::span<Sums> sums) noexcept {
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const std::size_t plane = labels[i] - std::size_t{1};
-    if (plane - first >= sums.size()) continue;
-    const Vector3 p = points.at(i);
-    if (!finite(p) || !(gate.fixed_m > 0 || p.z > 0)) continue;
-    Sums& sum = sums[plane - first];
-    if (sum.moments.count == 0) sum.origin = p;
-    sum.moments.add(p - sum.origin, weight_of(p, planes[plane].fit.plane, gate));
+Status fit_sums(const Sums& sums, const PlaneGate& gate, PlaneFit& fit) noexcept {
+  if (gate.fixed_m > 0) {
+    const Status status = fit_plane(sums.points, fit);
+    if (status == Status::ok) fit = moved(fit, {1, 0, 0, 0, 1, 0, 0, 0, 1}, sums.origin);
+    return status;
   }
+  constexpr PinholeCamera rays{1, 1, 0, 0};
+  InverseDepthFit inverse;
+  const Status status = fit_inverse_depth(sums.rays, gate.inverse_sigma, inverse);
+  return status == Status::ok ? to_plane_fit(inverse, gate.inverse_sigma, rays, fit) : status;
 }
 
 }  // namespace
@@ -93,7 +97,10 @@ Status label_nearest(const PointsView& points, std::span<const FoundPlane> plane
     const std::size_t size = points.count - first < block ? points.count - first : block;
     points_here.load(points, first, size, gate);
     for (std::size_t i = 0; i < planes.size(); ++i) {
-      points_here.offer(planes[i].fit.plane, static_cast<double>(i + 1), gate.fixed_m > 0);
+      const Plane& plane = planes[i].fit.plane;
+      // Without a fixed threshold: divided by the distance, (m·p − 1)/z is the residual of 1/z.
+      const double scale = gate.fixed_m > 0 ? 1 : 1 / plane.distance;
+      points_here.offer(scale * plane.normal, scale * plane.distance, static_cast<double>(i + 1));
     }
     for (std::size_t i = 0; i < size; ++i) {
       labels[first + i] = static_cast<std::uint16_t>(points_here.label[i]);
@@ -112,14 +119,12 @@ Status refit_labelled(const PointsView& points, std::span<const std::uint16_t> l
     const std::size_t left = planes.size() - first;
     std::array<Sums, planes_in_a_pass> memory{};
     const std::span<Sums> sums(memory.data(), left < planes_in_a_pass ? left : planes_in_a_pass);
-    sum_labelled(points, labels, gate, planes, first, sums);
+    sum_labelled(points, labels, gate.fixed_m, first, sums);
     for (std::size_t i = 0; i < sums.size(); ++i) {
       FoundPlane& plane = planes[first + i];
-      plane.inliers = static_cast<std::uint32_t>(sums[i].moments.count);
+      plane.inliers = sums[i].count;
       PlaneFit fit;
-      if (fit_plane(sums[i].moments, fit) == Status::ok) {
-        plane.fit = moved(fit, {1, 0, 0, 0, 1, 0, 0, 0, 1}, sums[i].origin);
-      }
+      if (fit_sums(sums[i], gate, fit) == Status::ok) plane.fit = fit;
     }
   }
   return Status::ok;

@@ -57,7 +57,7 @@ Status fit_inverse_depth(const InverseDepthMoments& moments, double sigma, Inver
 
 Status to_plane_fit(const InverseDepthFit& fit, double sigma, const PinholeCamera& camera,
                     PlaneFit& plane) noexcept {
-  if (!camera.valid() || !(sigma > 0) || !(fit.n >= 3)) return Status::invalid_option;
+  if (!camera.valid() || !(sigma > 0) || !(sigma < 1e100) || !(fit.n >= 3)) return Status::invalid_option;
   const auto& [a, b, c] = fit.plane;
   // n·X = d divided by d: m·X = 1, and 1/z = m·r.
   const Vector3 m{a * camera.fx, b * camera.fy, c + a * camera.cx + b * camera.cy};
@@ -114,8 +114,8 @@ Status inverse_depth_image(const DepthView& depth, ImageView<float> out) noexcep
     for (std::int32_t column = 0; column < depth.raw.width; ++column) {
       // 0/1 where there is no reading: a division without a branch around it goes four at a time.
       const std::int32_t units = raw[column];
-      const float divisor = static_cast<float>(units == 0 ? 1 : units);
-      inverse[column] = (units == 0 ? 0.0F : scale) / divisor;
+      const std::int32_t missing = units == 0 ? 1 : 0;
+      inverse[column] = scale * static_cast<float>(1 - missing) / static_cast<float>(units + missing);
     }
   }
   return Status::ok;

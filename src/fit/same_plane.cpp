@@ -56,8 +56,8 @@ void average(const PlaneFit& a, const PlaneFit& b, PlaneFit& fused) noexcept {
 }  // namespace
 
 double plane_chi_square(const PlaneFit& a, const PlaneFit& b) noexcept {
+  if (a.plane == b.plane) return 0;
   const Comparison c = compare(a, b);
-  if (c.difference == Vector3{}) return 0;
   constexpr double never = std::numeric_limits<double>::infinity();
   detail::Factored3 together;
   if (!detail::factor(detail::sum(c.first, c.second), together)) return never;
