@@ -20,17 +20,22 @@ struct RansacSearchOptions {
   std::int32_t cell = 4;          ///< pixels, [1, 64]: one reading of each square of this side is looked at
   std::int32_t min_pixels = 480;  ///< of a plane, >= 1; a reading stands for cell² pixels
   std::int32_t max_candidates = 64;  ///< [1, 65535]
-  double max_rms = 0.4;              ///< residual of a plane's readings, gates, (0, 1]; see step 3
-  double confidence = 0.99;          ///< (0, 1), of a window's search, see ransac_stop.hpp
-  std::int32_t max_draws = 32;       ///< triples drawn from one window, [1, 65535]
+  double max_rms = 0.4;              ///< residual of a smooth plane's readings, gates, (0, 1]; see step 4
+  double rough_rms = 1;              ///< of a rough plane's, [0, 1]; 0: smooth planes alone
+  double most_noise = 3;        ///< the gate is widened at most so many times for a noisy frame, [1, 100]
+  double confidence = 0.99;     ///< (0, 1), of a window's search, see ransac_stop.hpp
+  std::int32_t max_draws = 32;  ///< triples drawn from one window, [1, 65535]
   std::uint64_t seed = 1;
 };
 
 /// A plane that may be one.
 struct PlaneCandidate {
   InverseDepthFit fit;      ///< covariance for independent readings with noise gate.inverse_sigma
+  bool rough = false;       ///< its residuals fill the gate: curved, bent, or two surfaces
   double score = 0;         ///< sum of 1 − (residual / gate)² over its readings
   std::uint32_t cells = 0;  ///< its readings, one a cell
+  /// Where they are: cells [column0, column1) x [row0, row1), multiples of options.cell pixels.
+  std::int32_t column0 = 0, row0 = 0, column1 = 0, row1 = 0;
 };
 
 struct RansacSearchResult {
@@ -38,6 +43,7 @@ struct RansacSearchResult {
   std::uint32_t candidates = 0;  ///< written, strongest first
   std::uint32_t readings = 0;    ///< cells that have one
   std::uint32_t explained = 0;   ///< of these, how many a candidate owns
+  double noise = 1;              ///< the gate was so many times as wide as the options say
   std::uint32_t windows = 0;     ///< searched
   std::uint32_t draws = 0;       ///< triples tried
   std::uint64_t seed = 0;
@@ -73,7 +79,8 @@ struct RansacSearchMemory {
 
 constexpr bool valid(const RansacSearchOptions& o) noexcept {
   return o.gate.valid() && o.cell >= 1 && o.cell <= 64 && o.min_pixels >= 1 && o.max_candidates >= 1 &&
-         o.max_candidates <= 65535 && o.max_rms > 0 && o.max_rms <= 1 && o.confidence > 0 &&
+         o.max_candidates <= 65535 && o.max_rms > 0 && o.max_rms <= 1 && o.rough_rms >= 0 &&
+         o.rough_rms <= 1 && o.most_noise >= 1 && o.most_noise <= 100 && o.confidence > 0 &&
          o.confidence < 1 && o.max_draws >= 1 && o.max_draws <= 65535;
 }
 
@@ -84,17 +91,21 @@ constexpr bool valid(const RansacSearchOptions& o) noexcept {
 ///
 ///   1. Draw one reading of every square of cell x cell pixels by chance. The noise of neighbouring pixels is
 ///      shared over three to five of them: sixteen readings of a square say little more than one.
-///   2. Windows of three sizes, large to small, in steps of half a window. In each, RANSAC among the readings
+///   2. The frame's noise: RANSAC with a wide gate in windows on a grid; the lower quartile of the residuals.
+///   A
+///      frame that is noisier than gate.inverse_sigma, or bent, gets a wider gate. (Gates in metres stay.)
+///   3. Windows of three sizes, large to small, in steps of half a window. In each, RANSAC among the readings
 ///      that are left: a triple, its MSAC cost in the window, refits of each new best with a threshold from
 ///      wide to narrow, until the stop rule or max_draws. The readings of a window are near one another, so
 ///      that a face of 1000 pixels among 300 000, hopeless for triples from the whole frame, is found in a
 ///      few draws.
-///   3. Grow: refit to the readings within the gate in boxes twice as large each, until it is the frame.
-///      A reading counts if three of its eight neighbours do too. Refused are planes with less than
-///      min_pixels and those whose residuals fill the gate (rms > max_rms): noise of a third of the gate
-///      leaves 0.33, the compromise between two surfaces, or a curved one, near 0.58. The others are
-///      candidates and their readings leave.
-///   4. Contest: each reading goes to the candidate that fits it and its neighbours best, and every candidate
+///   4. Grow: refit to the readings within the gate in boxes twice as large each, at last in the frame. A
+///      reading counts if three of its eight neighbours do too. Refused are planes with less than min_pixels
+///      and those whose residuals fill the gate (rms > max_rms): noise of a third of the gate leaves 0.33,
+///      the compromise between two surfaces, or a curved one, near 0.58. The others are candidates and their
+///      readings leave.
+///   5. Steps 3 and 4 again with rough_rms in place of max_rms, for what is left.
+///   6. Contest: each reading goes to the candidate that fits it and its neighbours best, and every candidate
 ///      is refitted to what it has. Sorted by score.
 ///
 /// Papers: ransac_planes.hpp. Deterministic: the cells of row r are drawn from stream r, window i draws from

@@ -40,18 +40,38 @@ void take_cheaper(const float* above, const float* here, const float* below, con
   }
 }
 
-void contest_for(const Lattice& lattice, const InverseDepthPlane& plane, std::int32_t label) noexcept {
+CellBox box_of(const PlaneCandidate& c) noexcept {
+  return {c.column0, c.row0, c.column1, c.row1};
+}
+
+void contest_for(const Lattice& lattice, const PlaneCandidate& candidate, std::int32_t label) noexcept {
+  const InverseDepthPlane& plane = candidate.fit.plane;
+  const CellBox box = box_of(candidate);
+  const std::int32_t width = box.x1 - box.x0;
   const detail::RansacSearchMemory& m = lattice.memory;
   const auto stride = static_cast<std::size_t>(lattice.stride);
-  (void)mark_core(lattice, m.q, plane, whole(lattice));
-  for (std::int32_t row = -1; row <= lattice.rows; ++row)
-    cost_row(lattice, lattice.at(-1, row), lattice.columns + 2, plane, m.single.data(),
-             &m.triple[lattice.at(-1, row)]);
-  for (std::int32_t row = 0; row < lattice.rows; ++row) {
-    const std::size_t i = lattice.at(0, row);
-    take_cheaper(&m.triple[i - stride], &m.triple[i], &m.triple[i + stride], &m.core[i], lattice.columns,
-                 label, &m.cost[i], &m.owner[i]);
+  (void)mark_core(lattice, m.q, plane, box);
+  for (std::int32_t row = box.y0 - 1; row <= box.y1; ++row) {
+    const std::size_t i = lattice.at(box.x0 - 1, row);
+    cost_row(lattice, i, width + 2, plane, m.single.data(), &m.triple[i]);
   }
+  for (std::int32_t row = box.y0; row < box.y1; ++row) {
+    const std::size_t i = lattice.at(box.x0, row);
+    take_cheaper(&m.triple[i - stride], &m.triple[i], &m.triple[i + stride], &m.core[i], width, label,
+                 &m.cost[i], &m.owner[i]);
+  }
+}
+
+std::uint32_t mark_owned(const Lattice& lattice, std::size_t first, std::int32_t count,
+                         std::int32_t label) noexcept {
+  const std::int32_t* owner = &lattice.memory.owner[first];
+  std::uint8_t* core = &lattice.memory.core[first];
+  std::int32_t owned = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
+    core[i] = owner[i] == label ? 1 : 0;
+    owned += owner[i] == label ? 1 : 0;
+  }
+  return static_cast<std::uint32_t>(owned);
 }
 
 }  // namespace
@@ -62,7 +82,7 @@ void contest_cells(const Lattice& lattice, std::span<const PlaneCandidate> candi
     lattice.memory.cost[i] = unowned;
   }
   std::int32_t label = 0;
-  for (const PlaneCandidate& candidate : candidates) contest_for(lattice, candidate.fit.plane, ++label);
+  for (const PlaneCandidate& candidate : candidates) contest_for(lattice, candidate, ++label);
 }
 
 void refit_owners(const Lattice& lattice, std::span<PlaneCandidate> candidates, std::uint32_t least,
@@ -72,13 +92,11 @@ void refit_owners(const Lattice& lattice, std::span<PlaneCandidate> candidates, 
   for (PlaneCandidate& candidate : candidates) {
     ++label;
     std::uint32_t cells = 0;
-    for (std::size_t i = 0; i < m.owner.size(); ++i) {
-      m.core[i] = m.owner[i] == label ? 1 : 0;
-      cells += m.core[i];
-    }
+    const CellBox box = box_of(candidate);
+    for (std::int32_t row = box.y0; row < box.y1; ++row)
+      cells += mark_owned(lattice, lattice.at(box.x0, row), box.x1 - box.x0, label);
     double rms_gates = 0;
-    const bool fitted =
-        cells >= least && refit_core(lattice, m.q, whole(lattice), sigma, candidate.fit, rms_gates);
+    const bool fitted = cells >= least && refit_core(lattice, m.q, box, 1, sigma, candidate.fit, rms_gates);
     candidate.cells = fitted ? cells : 0;
     candidate.score = fitted ? static_cast<double>(cells) * (1 - rms_gates * rms_gates) : 0;
   }

@@ -61,6 +61,13 @@ CellBox box_round(const Lattice& lattice, std::int32_t column, std::int32_t row,
           clamped(row + half + 1, lattice.rows)};
 }
 
+CellBox widened(const Lattice& lattice, const CellBox& box, std::int32_t cells) noexcept {
+  const std::int32_t x1 = (box.x1 + cells + cell_lanes - 1) / cell_lanes * cell_lanes;
+  return {clamped(box.x0 - cells, lattice.columns) / cell_lanes * cell_lanes,
+          clamped(box.y0 - cells, lattice.rows), clamped(x1, lattice.columns),
+          clamped(box.y1 + cells, lattice.rows)};
+}
+
 std::uint32_t draw_lattice(const Lattice& lattice, ImageView<const float> inverse_depth,
                            ImageView<const std::uint16_t> mask, const RansacSearchOptions& options) noexcept {
   clear(lattice);

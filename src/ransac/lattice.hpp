@@ -50,6 +50,9 @@ inline CellBox whole(const Lattice& lattice) noexcept {
 /// The square of 2 half + 1 cells round a cell, as far as it is in the picture; x0 and x1 as above.
 CellBox box_round(const Lattice& lattice, std::int32_t column, std::int32_t row, std::int32_t half) noexcept;
 
+/// So many cells more on every side, as far as the picture goes.
+CellBox widened(const Lattice& lattice, const CellBox& box, std::int32_t cells) noexcept;
+
 /// Draws one reading of every cell by chance. Cells without any stay empty. Returns how many are not.
 std::uint32_t draw_lattice(const Lattice& lattice, ImageView<const float> inverse_depth,
                            ImageView<const std::uint16_t> mask, const RansacSearchOptions& options) noexcept;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
 #include "ransac/contest.hpp"
+#include "ransac/frame_noise.hpp"
 #include "ransac/lattice.hpp"
 #include "ransac/support.hpp"
 #include "ransac/window.hpp"
@@ -19,11 +20,19 @@ constexpr WindowShape window_shapes[] = {{24, 3}, {10, 2}, {5, 1}};
 /// Streams of windows begin above those of the rows of cells.
 constexpr std::uint64_t first_window_stream = std::uint64_t{1} << 32U;
 
+/// So many readings are enough for a round of growing.
+constexpr std::uint32_t enough_cells = 1000;
+
+/// What memory.owner says of a cell during the search: a rough plane has it.
+constexpr std::int32_t rough_cell = 1;
+
 struct Search {
   const RansacSearchOptions& options;
   const Lattice& lattice;
   RansacSearchResult& result;
   std::uint32_t least_cells = 0;
+  double max_rms = 1;  ///< gates
+  bool rough = false;
   Window window;
 };
 
@@ -33,42 +42,79 @@ std::uint32_t least_cells(const RansacSearchOptions& o) noexcept {
   return cells < 6 ? 6 : static_cast<std::uint32_t>(cells);
 }
 
-/// One round of step 3. False: refused.
-bool grow_to(Search& s, const ransac::CellBox& box, std::uint32_t least, InverseDepthFit& fit) noexcept {
+enum class Growth : std::uint8_t { grown, too_small, too_rough };
+
+/// One round of step 4.
+Growth grow_to(Search& s, const ransac::CellBox& box, std::uint32_t least, InverseDepthFit& fit,
+               ransac::Core& core) noexcept {
   const std::span<const float> q = s.lattice.memory.free_q;
-  if (ransac::mark_core(s.lattice, q, fit.plane, box) < least) return false;
+  core = ransac::mark_core(s.lattice, q, fit.plane, box);
+  if (core.cells < least) return Growth::too_small;
+  // A thousand readings fix a plane better than the lattice of cells can tell.
+  const auto row_step =
+      static_cast<std::int32_t>(core.cells < 2 * enough_cells ? 1 : core.cells / enough_cells);
   double rms_gates = 0;
-  return ransac::refit_core(s.lattice, q, box, s.options.gate.inverse_sigma, fit, rms_gates) &&
-         rms_gates <= s.options.max_rms;
+  if (!ransac::refit_core(s.lattice, q, core.bounds, row_step, s.options.gate.inverse_sigma, fit, rms_gates))
+    return Growth::too_small;
+  return rms_gates <= s.max_rms ? Growth::grown : Growth::too_rough;
 }
 
-/// Step 3.
-bool grow(Search& s, std::int32_t column, std::int32_t row, std::int32_t half,
-          InverseDepthFit& fit) noexcept {
-  const std::int32_t longest = s.lattice.columns > s.lattice.rows ? s.lattice.columns : s.lattice.rows;
-  for (std::int32_t h = half; h < longest; h *= 2)
-    if (!grow_to(s, ransac::box_round(s.lattice, column, row, h), s.least_cells / 2, fit)) return false;
-  return grow_to(s, ransac::whole(s.lattice), s.least_cells, fit);
-}
-
-/// The readings of the fit become its own. False: it has too few after all.
-bool take(Search& s, const InverseDepthFit& fit) noexcept {
+/// Windows round the marked cells need not be searched again in this round: they would end the same way.
+void remember_rough(Search& s, const ransac::CellBox& box) noexcept {
   const detail::RansacSearchMemory& m = s.lattice.memory;
-  if (ransac::mark_core(s.lattice, m.free_q, fit.plane, ransac::whole(s.lattice)) < s.least_cells)
-    return false;
-  m.candidates[s.result.candidates++].fit = fit;
-  for (std::size_t i = 0; i < m.free_q.size(); ++i)
-    m.free_q[i] = m.core[i] != 0 ? ransac::no_reading : m.free_q[i];
-  return true;
+  for (std::int32_t row = box.y0; row < box.y1; ++row)
+    for (std::int32_t column = box.x0; column < box.x1; ++column) {
+      const std::size_t i = s.lattice.at(column, row);
+      m.owner[i] = m.core[i] != 0 ? rough_cell : m.owner[i];
+    }
 }
 
-/// Steps 2 and 3 round one cell, until the window has no more planes.
+bool inside(const ransac::CellBox& a, const ransac::CellBox& b, const Lattice& l) noexcept {
+  return (a.x0 > b.x0 || b.x0 == 0) && (a.y0 > b.y0 || b.y0 == 0) && (a.x1 < b.x1 || b.x1 == l.columns) &&
+         (a.y1 < b.y1 || b.y1 == l.rows);
+}
+
+/// Step 4. True: the marked cells are the plane's.
+bool grow(Search& s, std::int32_t column, std::int32_t row, std::int32_t half, InverseDepthFit& fit,
+          ransac::Core& core) noexcept {
+  const std::int32_t longest = s.lattice.columns > s.lattice.rows ? s.lattice.columns : s.lattice.rows;
+  bool complete = false;
+  for (std::int32_t h = half;; h *= 2) {
+    const bool last = complete || h >= longest;
+    const ransac::CellBox box =
+        last ? ransac::whole(s.lattice) : ransac::box_round(s.lattice, column, row, h);
+    const Growth growth = grow_to(s, box, last ? s.least_cells : s.least_cells / 2, fit, core);
+    if (growth == Growth::too_rough) remember_rough(s, core.bounds);
+    if (growth != Growth::grown) return false;
+    if (last) return true;
+    complete = inside(core.bounds, box, s.lattice);
+  }
+}
+
+/// The marked readings become the plane's own.
+void take(Search& s, const InverseDepthFit& fit, const ransac::Core& core) noexcept {
+  const detail::RansacSearchMemory& m = s.lattice.memory;
+  PlaneCandidate& candidate = m.candidates[s.result.candidates++];
+  candidate.fit = fit;
+  candidate.rough = s.rough;
+  candidate.column0 = core.bounds.x0;
+  candidate.column1 = core.bounds.x1;
+  candidate.row0 = core.bounds.y0;
+  candidate.row1 = core.bounds.y1;
+  for (std::int32_t row = core.bounds.y0; row < core.bounds.y1; ++row)
+    for (std::int32_t column = core.bounds.x0; column < core.bounds.x1; ++column) {
+      const std::size_t i = s.lattice.at(column, row);
+      m.free_q[i] = m.core[i] != 0 ? ransac::no_reading : m.free_q[i];
+    }
+}
+
+/// Steps 3 and 4 round one cell, until the window has no more planes.
 void search_window(Search& s, std::int32_t column, std::int32_t row, const WindowShape& shape) noexcept {
   const auto share = static_cast<std::uint32_t>(shape.step > 1 ? shape.step * shape.step : 2);
   const std::uint32_t few = s.least_cells / share;
   const std::uint32_t least = few < 6 ? 6 : few;
   while (s.result.candidates < s.lattice.memory.candidates.size()) {
-    ransac::gather(s.lattice, column, row, shape, s.window);
+    ransac::gather(s.lattice, column, row, shape, 1, s.window);
     if (s.window.count < least) return;
     const ransac::WindowPlane found =
         ransac::best_of_window(s.window, s.options, first_window_stream + s.result.windows++);
@@ -76,11 +122,23 @@ void search_window(Search& s, std::int32_t column, std::int32_t row, const Windo
     if (found.inliers < least) return;
     InverseDepthFit fit;
     fit.plane = found.plane;
-    if (!grow(s, column, row, shape.half, fit) || !take(s, fit)) return;
+    ransac::Core core;
+    if (!grow(s, column, row, shape.half, fit, core)) return;
+    take(s, fit, core);
   }
 }
 
-/// Step 4.
+/// Steps 3 and 4 with windows of one shape.
+void search_windows(Search& s, const WindowShape& shape) noexcept {
+  const Lattice& l = s.lattice;
+  for (std::int32_t& owner : l.memory.owner) owner = 0;
+  const std::int32_t first = shape.half / 2;
+  for (std::int32_t row = first; row < l.rows; row += shape.half)
+    for (std::int32_t column = first; column < l.columns; column += shape.half)
+      if (l.memory.owner[l.at(column, row)] != rough_cell) search_window(s, column, row, shape);
+}
+
+/// Step 6.
 void contest(Search& s) noexcept {
   const std::span<PlaneCandidate> candidates = s.lattice.memory.candidates.first(s.result.candidates);
   ransac::contest_cells(s.lattice, candidates);
@@ -128,14 +186,18 @@ RansacSearchResult RansacSearch::run(ImageView<const float> inverse_depth,
   // Step 1.
   const Lattice lattice(size_, options_, memory_);
   result.readings = ransac::draw_lattice(lattice, inverse_depth, mask, options_);
-  // Steps 2 and 3.
-  Search search{options_, lattice, result, least_cells(options_), {}};
-  for (const WindowShape& shape : window_shapes)
-    for (std::int32_t row = shape.half / 2; row < lattice.rows + shape.half / 2; row += shape.half)
-      for (std::int32_t column = shape.half / 2; column < lattice.columns + shape.half / 2;
-           column += shape.half)
-        search_window(search, column, row, shape);
-  // Step 4.
+  // Step 2.
+  result.noise = ransac::frame_noise(lattice, options_);
+  for (float& w : memory_.w) w /= static_cast<float>(result.noise);
+  // Steps 3 to 5.
+  Search search{options_, lattice, result, least_cells(options_), options_.max_rms, false, {}};
+  for (const WindowShape& shape : window_shapes) search_windows(search, shape);
+  if (options_.rough_rms > options_.max_rms) {
+    search.max_rms = options_.rough_rms;
+    search.rough = true;
+    for (const WindowShape& shape : window_shapes) search_windows(search, shape);
+  }
+  // Step 6.
   contest(search);
   if (result.candidates > out.size()) {
     result.candidates = static_cast<std::uint32_t>(out.size());

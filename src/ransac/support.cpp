@@ -54,12 +54,22 @@ std::uint64_t group_of(const std::uint8_t* core) noexcept {
   return bytes;
 }
 
-/// Marked cells; what lies past the count in the last group is border, never marked.
-std::uint32_t count_marked(const std::uint8_t* core, std::int32_t count) noexcept {
+/// Adds the marked cells of a row, which begins at column x0. What lies past the count in the last group is
+/// border, never marked.
+void add_marked(const std::uint8_t* core, std::int32_t count, std::int32_t x0, std::int32_t y,
+                Core& all) noexcept {
   std::uint32_t marked = 0;
-  for (std::int32_t i = 0; i < count; i += cell_lanes)
-    marked += static_cast<std::uint32_t>((group_of(core + i) * 0x0101010101010101ULL) >> 56U);
-  return marked;
+  for (std::int32_t i = 0; i < count; i += cell_lanes) {
+    const std::uint64_t group = group_of(core + i);
+    if (group == 0) continue;
+    marked += static_cast<std::uint32_t>((group * 0x0101010101010101ULL) >> 56U);
+    if (x0 + i < all.bounds.x0) all.bounds.x0 = x0 + i;
+    if (x0 + i + cell_lanes > all.bounds.x1) all.bounds.x1 = x0 + i + cell_lanes;
+  }
+  if (marked == 0) return;
+  if (all.cells == 0) all.bounds.y0 = y;
+  all.bounds.y1 = y + 1;
+  all.cells += marked;
 }
 
 struct LaneSums {
@@ -115,8 +125,8 @@ void add_row(const LaneSums& s, CoreSums& sums) noexcept {
 
 }  // namespace
 
-std::uint32_t mark_core(const Lattice& lattice, std::span<const float> q, const InverseDepthPlane& plane,
-                        const CellBox& box) noexcept {
+Core mark_core(const Lattice& lattice, std::span<const float> q, const InverseDepthPlane& plane,
+               const CellBox& box) noexcept {
   const FloatPlane p(plane);
   // Neighbours of the cells at the border of the box count too, where the picture has any.
   const std::int32_t x0 = box.x0 > 0 ? box.x0 - 1 : 0;
@@ -127,23 +137,26 @@ std::uint32_t mark_core(const Lattice& lattice, std::span<const float> q, const 
     const std::size_t i = lattice.at(x0, y);
     mark_hits({lattice, q, i}, x1 - x0, p, &lattice.memory.hit[i]);
   }
-  std::uint32_t marked = 0;
+  Core core;
+  core.bounds = {lattice.columns, 0, 0, 0};
   for (std::int32_t y = box.y0; y < box.y1; ++y) {
     const std::size_t i = lattice.at(box.x0, y);
     keep_dense(&lattice.memory.hit[i], lattice.stride, box.x1 - box.x0, &lattice.memory.core[i]);
-    marked += count_marked(&lattice.memory.core[i], box.x1 - box.x0);
+    add_marked(&lattice.memory.core[i], box.x1 - box.x0, box.x0, y, core);
   }
-  return marked;
+  if (core.cells == 0) core.bounds = {};
+  if (core.bounds.x1 > lattice.columns) core.bounds.x1 = lattice.columns;
+  return core;
 }
 
 CoreSums sum_core(const Lattice& lattice, std::span<const float> q, const InverseDepthPlane& plane,
-                  const CellBox& box) noexcept {
+                  const CellBox& box, std::int32_t row_step) noexcept {
   const FloatPlane p(plane);
   // Counted from the middle of the box, floats resolve a small region as well as a large one.
   const std::int32_t middle_u = (box.x0 + box.x1) / 2 * lattice.cell;
   const std::int32_t middle_v = (box.y0 + box.y1) / 2 * lattice.cell;
   CoreSums sums;
-  for (std::int32_t y = box.y0; y < box.y1; ++y) {
+  for (std::int32_t y = box.y0; y < box.y1; y += row_step) {
     const std::size_t first = lattice.at(box.x0, y);
     const std::uint8_t* core = &lattice.memory.core[first];
     const CellRow row(lattice, q, first);
@@ -160,10 +173,10 @@ CoreSums sum_core(const Lattice& lattice, std::span<const float> q, const Invers
   return sums;
 }
 
-bool refit_core(const Lattice& lattice, std::span<const float> q, const CellBox& box, double sigma,
-                InverseDepthFit& fit, double& rms_gates) noexcept {
+bool refit_core(const Lattice& lattice, std::span<const float> q, const CellBox& box, std::int32_t row_step,
+                double sigma, InverseDepthFit& fit, double& rms_gates) noexcept {
   const InverseDepthPlane before = fit.plane;
-  const CoreSums sums = sum_core(lattice, q, before, box);
+  const CoreSums sums = sum_core(lattice, q, before, box, row_step);
   if (fit_inverse_depth(sums.moments, sigma, fit) != Status::ok) return false;
   fit.plane = {before.a + fit.plane.a, before.b + fit.plane.b, before.c + fit.plane.c};
   rms_gates = fit.rms * __builtin_sqrt(sums.ww / sums.moments.n);

@@ -12,9 +12,9 @@ namespace {
 /// tilts it at will.
 constexpr double least_area = 32;
 
-void append(const Lattice& lattice, std::size_t cell, Window& w) noexcept {
+void append(const Lattice& lattice, std::size_t cell, float widening, Window& w) noexcept {
   const std::uint32_t k = w.count++;
-  const float inverse_gate = lattice.memory.w[cell];
+  const float inverse_gate = lattice.memory.w[cell] / widening;
   w.u[k] = lattice.memory.u[cell] - static_cast<float>(w.u0);
   w.v[k] = lattice.memory.v[cell] - static_cast<float>(w.v0);
   w.q[k] = lattice.memory.free_q[cell];
@@ -76,7 +76,7 @@ float optimised(const Window& w, double sigma, float cost, InverseDepthPlane& pl
 }  // namespace
 
 void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, const WindowShape& shape,
-            Window& window) noexcept {
+            float widening, Window& window) noexcept {
   window.count = 0;
   window.u0 = column * lattice.cell;
   window.v0 = row * lattice.cell;
@@ -85,7 +85,7 @@ void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, const
     for (std::int32_t c = column - shape.half; c <= column + shape.half; c += shape.step) {
       if (c < 0 || c >= lattice.columns || window.count == Window::capacity) continue;
       const std::size_t cell = lattice.at(c, r);
-      if (lattice.memory.free_q[cell] > 0) append(lattice, cell, window);
+      if (lattice.memory.free_q[cell] > 0) append(lattice, cell, widening, window);
     }
   }
   for (std::uint32_t k = window.count; k < padded(window.count); ++k)

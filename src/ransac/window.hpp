@@ -27,8 +27,9 @@ struct Window {
   Rows rows() const noexcept { return {x, y, z, w, padded(count)}; }
 };
 
+/// `widening`: the gate is so many times as wide as the lattice says.
 void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, const WindowShape& shape,
-            Window& window) noexcept;
+            float widening, Window& window) noexcept;
 
 /// What a search in one window found.
 struct WindowPlane {
