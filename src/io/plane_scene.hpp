@@ -13,6 +13,12 @@
 
 namespace straightedge::io {
 
+/// Finite, and not so far away that pictures run out of digits.
+constexpr bool drawable(const Vector3& p) noexcept {
+  constexpr double limit = 1e9;  // metres
+  return p.x < limit && p.x > -limit && p.y < limit && p.y > -limit && p.z < limit && p.z > -limit;
+}
+
 /// One outer border with the holes in it.
 struct ScenePiece {
   std::size_t plane = 0;                    ///< index into the scene's planes

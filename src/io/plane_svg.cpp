@@ -71,7 +71,7 @@ class ViewDrawing {
     const auto include = [&](const Vector3& p) { bounds.include(view_.on_paper(io::upright(p, scene_.up))); };
     for (const io::ScenePiece& piece : scene_.pieces) std::ranges::for_each(piece.rings.front(), include);
     for (const Pose& pose : options_.camera_path) {
-      if (finite(pose.translation)) include(pose.translation);
+      if (io::drawable(pose.translation)) include(pose.translation);
     }
     canvas_ = io::canvas_of_bounds(bounds, view_size);
   }
@@ -166,7 +166,7 @@ class ViewDrawing {
     for (std::size_t i = 0; i < camera_path.size(); ++i) {
       const Pose& pose = camera_path[i];
       const Vector3 forward = io::upright(pose.turned({0, 0, 1}), scene_.up);
-      if (!finite(pose.translation + forward)) continue;
+      if (!io::drawable(pose.translation) || !finite(forward)) continue;
       const Point2 at = place(pose.translation);
       point(line, line.empty() ? 'M' : 'L', at);
       if (i % every != 0) continue;

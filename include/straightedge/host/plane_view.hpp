@@ -13,8 +13,9 @@
 /// Pictures of plane maps. Both draw from back to front, and pale what is looked at from behind, so that
 /// one looks into a room over its near walls and under its ceiling. A plane's front is the side from which it
 /// was seen; where the map does not say, the side on which nearly all of the other planes lie; else both.
-/// Polygons with fewer than three points or with numbers that are not finite are left out. The same
-/// input gives the same bytes. A plane has the same colour in every picture: plane_colour of its id.
+/// Polygons with fewer than three points, and what has numbers that are not finite or beyond 1e9 m, are left
+/// out. The same input gives the same bytes. A plane has the same colour in every picture: plane_colour of
+/// its id.
 namespace straightedge {
 
 /// Which axis of the map points up.
