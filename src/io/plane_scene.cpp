@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "io/plane_rings.hpp"
+#include "straightedge/trigonometry.hpp"
 
 namespace straightedge::io {
 namespace {
@@ -161,6 +162,27 @@ PlaneScene plane_scene(const PlaneMap& map, UpAxis up, std::span<const Pose> cam
                                         : UpAxis::z;
   }
   return scene;
+}
+
+int oblique_turn(const PlaneScene& scene) {
+  constexpr int first = -60;
+  constexpr double clearly = 1.5;  // a door or a cupboard shall not decide
+  int best = first;
+  double most = 0;
+  for (const int turn : {first, first + 90, first + 180, first - 90}) {
+    const SineCosine way = sine_cosine(turn * degree);
+    double shown = 0;
+    for (const ScenePlane& plane : scene.planes) {
+      if (!(plane.area > 0)) continue;
+      const Vector3 normal = upright(plane.plane->plane.normal, scene.up);
+      shown += plane.area * std::max(0.0, plane.front * (way.cosine * normal.x + way.sine * normal.y));
+    }
+    if (shown > clearly * most) {
+      most = shown;
+      best = turn;
+    }
+  }
+  return best;
 }
 
 }  // namespace straightedge::io

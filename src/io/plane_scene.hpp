@@ -50,6 +50,11 @@ struct PlaneScene {
 ///  4. find the axis that points up (UpAxis).
 PlaneScene plane_scene(const PlaneMap& map, UpAxis up, std::span<const Pose> camera_path);
 
+/// Where the eye stands in an oblique view of the upright scene, in degrees from x to y: −60 (from the front,
+/// a little from the right), or one of the other three corners if clearly more of the planes turn their
+/// fronts to it.
+int oblique_turn(const PlaneScene& scene);
+
 /// The vector as x right, y back, z up.
 constexpr Vector3 upright(const Vector3& p, UpAxis up) noexcept {
   if (up == UpAxis::y) return {p.x, -p.z, p.y};

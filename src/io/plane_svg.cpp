@@ -265,7 +265,8 @@ void open(XMLElement& root, const MapMeta& meta, const std::string& wanted_title
 std::string plane_map_svg(const PlaneMap& map, const PlaneSvgOptions& options) {
   const io::PlaneScene scene = io::plane_scene(map, options.up, options.camera_path);
   ViewDrawing plan(scene, io::ParallelView::from(-90 * degree, 90 * degree), options, true);
-  ViewDrawing oblique(scene, io::ParallelView::from(-60 * degree, 32 * degree), options, false);
+  ViewDrawing oblique(scene, io::ParallelView::from(io::oblique_turn(scene) * degree, 32 * degree), options,
+                      false);
   const double height = std::max(plan.height(), oblique.height());
 
   tinyxml2::XMLDocument document;

@@ -211,6 +211,7 @@ std::string plane_view_data(const PlaneMap& map, const PlaneScene& scene, const 
   std::string text = "{";
   for (const auto& [name, value] : std::initializer_list<std::pair<const char*, std::string>>{
            {"up", json_text(name_of(scene.up))},
+           {"turn", to_text(oblique_turn(scene))},
            {"origin", triple(grid.origin())},
            {"step", to_text(grid.step())},
            {"planes", planes_of(scene, grid)},

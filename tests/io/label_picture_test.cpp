@@ -57,8 +57,8 @@ TEST_CASE("depth is dim gray beside labels and a slight shade on them, darker fa
   const std::vector<std::uint16_t> depth{0, 500, 4000, 0, 500, 4000};
   const Image<Rgb> picture = label_picture({labels.data(), {3, 2}}, {depth.data(), {3, 2}});
   CHECK(picture.at(0, 0) == Rgb{});
-  CHECK(picture.at(1, 0) == Rgb{96, 96, 96});
-  CHECK(picture.at(2, 0) == Rgb{28, 28, 28});
+  CHECK(picture.at(1, 0) == Rgb{120, 120, 120});
+  CHECK(picture.at(2, 0) == Rgb{44, 44, 44});
   CHECK(picture.at(0, 1) == plane_colour(3));
   CHECK(picture.at(1, 1) == plane_colour(3));
   CHECK(picture.at(2, 1).red == plane_colour(3).red * 3 / 4);
@@ -71,7 +71,7 @@ TEST_CASE("rows may have gaps, one depth may fill the picture, and bad views giv
   const ImageView<const std::uint16_t> strided(labels.data(), {2, 2}, 8);
   const std::vector<std::uint16_t> flat(4, 700);
   const Image<Rgb> picture = label_picture(strided, {flat.data(), {2, 2}});
-  CHECK(picture.at(0, 1) == Rgb{96, 96, 96});
+  CHECK(picture.at(0, 1) == Rgb{120, 120, 120});
   CHECK(picture.at(1, 1) == plane_colour(9));
   CHECK(label_picture(strided, {flat.data(), {1, 4}}).at(0, 1) == Rgb{});
   CHECK(label_picture({}).empty());

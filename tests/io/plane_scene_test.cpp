@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/plane_scene.hpp"
 
+#include <cstdlib>
 #include <limits>
 
 #include "catch.hpp"
@@ -112,6 +113,17 @@ TEST_CASE("the cameras tell which axis is up, without them the map does") {
   head_over.rotation = {1, 0, 0, 0, -1, 0, 0, 0, -1};
   CHECK(found_up(room, std::vector<Pose>{head_over}) == UpAxis::y);
   CHECK(plane_scene(room, UpAxis::y, room_camera_path(7)).up == UpAxis::y);
+}
+
+TEST_CASE("an oblique view is from the corner to which most fronts are turned") {
+  PlaneMap room = room_plane_map();
+  CHECK(oblique_turn(plane_scene(room, UpAxis::z, {})) == -60);
+  CHECK(oblique_turn(plane_scene({}, UpAxis::z, {})) == -60);
+  const MapPlane floor = room.planes[0], near_wall = room.planes[4], left_wall = room.planes[3];
+  room.planes = {floor, near_wall};  // seen from inside, so its front looks back
+  CHECK(std::abs(oblique_turn(plane_scene(room, UpAxis::z, {})) - 75) == 45);
+  room.planes = {floor, near_wall, left_wall};
+  CHECK(oblique_turn(plane_scene(room, UpAxis::z, {})) == 30);
 }
 
 TEST_CASE("upright coordinates are right-handed") {

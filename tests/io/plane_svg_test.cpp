@@ -106,7 +106,8 @@ TEST_CASE("ids do not overlap and stay on the paper; a displaced one is led to i
       for (std::size_t k = 0; k < i; ++k) {
         const double dx = std::abs(ids[i]->DoubleAttribute("x") - ids[k]->DoubleAttribute("x"));
         const double dy = std::abs(ids[i]->DoubleAttribute("y") - ids[k]->DoubleAttribute("y"));
-        const auto letters = static_cast<double>(std::strlen(ids[i]->GetText()) + std::strlen(ids[k]->GetText()));
+        const auto letters =
+            static_cast<double>(std::strlen(ids[i]->GetText()) + std::strlen(ids[k]->GetText()));
         CHECK((dx >= 3.1 * letters || dy >= 11.9));
       }
     }

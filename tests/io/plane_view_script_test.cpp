@@ -7,6 +7,7 @@
 #include "io/plane_view_controls.hpp"
 #include "io/plane_view_geometry.hpp"
 #include "io/plane_view_painter.hpp"
+#include "io/plane_view_pointers.hpp"
 #include "room_plane_map.hpp"
 #include "straightedge/host/plane_view.hpp"
 #include "temporary_folder.hpp"
@@ -33,7 +34,8 @@ TEST_CASE("the viewer's script is JavaScript") {
   if (node.empty()) return;  // a machine without node checks the rest
   const TemporaryFolder folder;
   int part = 0;
-  for (const char* script : {io::plane_view_geometry, io::plane_view_painter, io::plane_view_controls}) {
+  for (const char* script :
+       {io::plane_view_geometry, io::plane_view_painter, io::plane_view_pointers, io::plane_view_controls}) {
     CHECK(runs("--check " + folder.put("part" + std::to_string(part++) + ".js", script).string()));
   }
   CHECK_FALSE(runs("--check " + folder.put("broken.js", "const = 1;").string() + " 2>" +

@@ -59,8 +59,9 @@ struct PlaneSvgOptions {
 };
 
 /// A drawing with two views side by side, each with its scale bar: a plan from above, in which walls
-/// are thick lines, and a parallel projection from the front, right and above. An id stands on its plane or
-/// is led to it by a thin line; ids do not overlap, and where there is no room for one it is left out.
+/// are thick lines, and a parallel projection obliquely from above, from the corner to which most planes turn
+/// their fronts. An id stands on its plane or is led to it by a thin line; ids do not overlap, and where
+/// there is no room for one it is left out.
 std::string plane_map_svg(const PlaneMap& map, const PlaneSvgOptions& options = {});
 
 }  // namespace straightedge
