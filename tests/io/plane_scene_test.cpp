@@ -85,6 +85,7 @@ TEST_CASE("the front of a plane is the side it was seen from, else the side of n
   for (const ScenePlane& plane : plane_scene(map, UpAxis::z, {}).planes) fronts.push_back(plane.front);
   CHECK(fronts[0] == 0);
   CHECK(fronts[1] == -1);  // ceiling, normal up
+  CHECK(fronts[3] == 1);   // wall at x = 0, normal into the room
   for (MapPlane& plane : map.planes) plane.seen = SeenSide::unknown;
   const PlaneScene guessed = plane_scene(map, UpAxis::z, {});
   CHECK(guessed.planes[0].front == 1);   // floor
