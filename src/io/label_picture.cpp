@@ -9,7 +9,7 @@ namespace straightedge {
 namespace {
 
 /// Dim, so that it is never taken for a label's colour.
-constexpr int nearest_gray = 96, farthest_gray = 28;
+constexpr int nearest_gray = 120, farthest_gray = 44;
 
 /// Raw depth of the nearest and the farthest reading.
 struct DepthRange {

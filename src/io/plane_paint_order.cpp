@@ -13,7 +13,7 @@
 namespace straightedge::io {
 namespace {
 
-constexpr double least_slack_m = 0.03, slack_share = 0.08;
+constexpr double least_slack_m = 0.03, slack_share = 0.04;
 
 /// What the order asks of a piece.
 struct Item {
@@ -41,15 +41,15 @@ std::vector<Vector3> extreme_vertices(const std::vector<Vector3>& ring, const Ve
   return corners;
 }
 
-/// 1 that of the normal, −1 the other one, 0 both.
+/// 2 that of the normal, −2 the other one, 0 both; 1 and −1 when only a little sticks out.
 int side_of(const std::vector<Vector3>& corners, const Plane& plane) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const Vector3& corner : corners) {
     low = std::min(low, plane.signed_distance(corner));
     high = std::max(high, plane.signed_distance(corner));
   }
-  if (low >= 0 && high > 0) return 1;
-  if (high <= 0 && low < 0) return -1;
+  if (low >= 0 && high > 0) return 2;
+  if (high <= 0 && low < 0) return -2;
   const double slack = std::max(least_slack_m, slack_share * (high - low));
   if (-low <= slack && high > slack) return 1;
   if (high <= slack && -low > slack) return -1;
@@ -77,8 +77,9 @@ bool apart(const Bounds& a, const Bounds& b) {
   return a.right <= b.left || b.right <= a.left || a.top <= b.bottom || b.top <= a.bottom;
 }
 
-bool hides_behind(const Item& a, const Item& b) {
-  return side_of(a.corners, b.plane) * b.eye < 0 || side_of(b.corners, a.plane) * a.eye > 0;
+/// How surely a hides behind b: 0 not at all, 2 with nothing sticking out.
+int hides_behind(const Item& a, const Item& b) {
+  return std::max({-side_of(a.corners, b.plane) * b.eye, side_of(b.corners, a.plane) * a.eye, 0});
 }
 
 }  // namespace
@@ -102,10 +103,10 @@ std::vector<std::size_t> paint_order(const PlaneScene& scene, const ParallelView
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 1; j < n; ++j) {
       if (items[i].owner == items[j].owner || apart(items[i].box, items[j].box)) continue;
-      const bool ij = hides_behind(items[i], items[j]), ji = hides_behind(items[j], items[i]);
+      const int ij = hides_behind(items[i], items[j]), ji = hides_behind(items[j], items[i]);
       if (ij == ji) continue;
-      before[ij ? i : j].push_back(ij ? j : i);
-      ++waits[ij ? j : i];
+      before[ij > ji ? i : j].push_back(ij > ji ? j : i);
+      ++waits[ij > ji ? j : i];
     }
   }
 

@@ -21,8 +21,9 @@ struct ParallelView {
 
 /// The pieces from back to front: piece i hides behind piece j when i lies beyond the plane of j, or j on
 /// this side of the plane of i, and their boxes on the paper meet. Of the pieces that nothing waiting lies
-/// behind, the farthest is next; where pieces hide one another in a circle, the farthest of all. What sticks
-/// out of a plane by less than 3 cm or 8 % does not count. O(n²) for n pieces, each of which stands for at
+/// behind, the farthest is next; where pieces hide one another in a circle, the farthest of all. What
+/// sticks out of a plane by less than 3 cm or 4 % is passed over unless the opposite order has nothing that
+/// sticks out. O(n²) for n pieces, each of which stands for at
 /// most 16 of its vertices.
 std::vector<std::size_t> paint_order(const PlaneScene& scene, const ParallelView& view);
 

@@ -6,13 +6,13 @@
 #include <cmath>
 
 #include "io/plane_rings.hpp"
+#include "straightedge/trigonometry.hpp"
 
 namespace straightedge::io {
 namespace {
 
-bool drawable(const MapPolygon& polygon) {
-  return polygon.points.size() >= 3 &&
-         std::ranges::all_of(polygon.points, [](const Vector3& p) { return finite(p); });
+bool drawable_border(const MapPolygon& polygon) {
+  return polygon.points.size() >= 3 && std::ranges::all_of(polygon.points, drawable);
 }
 
 Ring flattened(const std::vector<Vector3>& points, const PlaneBasis& basis) {
@@ -31,7 +31,7 @@ struct FlatPiece {
 std::vector<FlatPiece> outer_borders(const MapPlane& plane, std::size_t index, const PlaneBasis& basis) {
   std::vector<FlatPiece> pieces;
   for (const MapPolygon& polygon : plane.polygons) {
-    if (polygon.hole || !drawable(polygon)) continue;
+    if (polygon.hole || !drawable_border(polygon)) continue;
     FlatPiece piece;
     piece.piece.plane = index;
     piece.piece.rings.push_back(polygon.points);
@@ -46,7 +46,7 @@ void add_holes(const MapPlane& plane, const PlaneBasis& basis, std::vector<FlatP
   std::vector<double> outer_area;
   for (const FlatPiece& piece : pieces) outer_area.push_back(piece.piece.area);
   for (const MapPolygon& polygon : plane.polygons) {
-    if (!polygon.hole || !drawable(polygon)) continue;
+    if (!polygon.hole || !drawable_border(polygon)) continue;
     const Ring hole = flattened(polygon.points, basis);
     std::size_t owner = pieces.size();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -62,13 +62,14 @@ void add_holes(const MapPlane& plane, const PlaneBasis& basis, std::vector<FlatP
 
 /// Steps 1 and 2 for one plane.
 void add_plane(const MapPlane& map_plane, PlaneScene& scene) {
+  constexpr double not_unit = 1e-3;
   ScenePlane plane;
   plane.plane = &map_plane;
   const PlaneBasis basis(map_plane.plane.normal);
   const Vector3 foot = map_plane.plane.distance * map_plane.plane.normal;
   const auto lifted = [&](Point2 p) { return foot + p.x * basis.u + p.y * basis.v; };
   std::vector<FlatPiece> pieces;
-  if (finite(foot) && finite(basis.u) && squared_length(basis.u) > 0) {
+  if (drawable(foot) && std::abs(squared_length(map_plane.plane.normal) - 1) < not_unit) {
     pieces = outer_borders(map_plane, scene.planes.size(), basis);
     add_holes(map_plane, basis, pieces);
   }
@@ -161,6 +162,27 @@ PlaneScene plane_scene(const PlaneMap& map, UpAxis up, std::span<const Pose> cam
                                         : UpAxis::z;
   }
   return scene;
+}
+
+int oblique_turn(const PlaneScene& scene) {
+  constexpr int first = -60;
+  constexpr double clearly = 1.5;  // a door or a cupboard shall not decide
+  int best = first;
+  double most = 0;
+  for (const int turn : {first, first + 90, first + 180, first - 90}) {
+    const SineCosine way = sine_cosine(turn * degree);
+    double shown = 0;
+    for (const ScenePlane& plane : scene.planes) {
+      if (!(plane.area > 0)) continue;
+      const Vector3 normal = upright(plane.plane->plane.normal, scene.up);
+      shown += plane.area * std::max(0.0, plane.front * (way.cosine * normal.x + way.sine * normal.y));
+    }
+    if (shown > clearly * most) {
+      most = shown;
+      best = turn;
+    }
+  }
+  return best;
 }
 
 }  // namespace straightedge::io

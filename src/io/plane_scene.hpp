@@ -13,6 +13,12 @@
 
 namespace straightedge::io {
 
+/// Finite, and not so far away that pictures run out of digits.
+constexpr bool drawable(const Vector3& p) noexcept {
+  constexpr double limit = 1e9;  // metres
+  return p.x < limit && p.x > -limit && p.y < limit && p.y > -limit && p.z < limit && p.z > -limit;
+}
+
 /// One outer border with the holes in it.
 struct ScenePiece {
   std::size_t plane = 0;                    ///< index into the scene's planes
@@ -43,6 +49,11 @@ struct PlaneScene {
 ///  3. tell front from back (plane_view.hpp);
 ///  4. find the axis that points up (UpAxis).
 PlaneScene plane_scene(const PlaneMap& map, UpAxis up, std::span<const Pose> camera_path);
+
+/// Where the eye stands in an oblique view of the upright scene, in degrees from x to y: −60 (from the front,
+/// a little from the right), or one of the other three corners if clearly more of the planes turn their
+/// fronts to it.
+int oblique_turn(const PlaneScene& scene);
 
 /// The vector as x right, y back, z up.
 constexpr Vector3 upright(const Vector3& p, UpAxis up) noexcept {

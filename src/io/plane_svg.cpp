@@ -71,7 +71,7 @@ class ViewDrawing {
     const auto include = [&](const Vector3& p) { bounds.include(view_.on_paper(io::upright(p, scene_.up))); };
     for (const io::ScenePiece& piece : scene_.pieces) std::ranges::for_each(piece.rings.front(), include);
     for (const Pose& pose : options_.camera_path) {
-      if (finite(pose.translation)) include(pose.translation);
+      if (io::drawable(pose.translation)) include(pose.translation);
     }
     canvas_ = io::canvas_of_bounds(bounds, view_size);
   }
@@ -166,7 +166,7 @@ class ViewDrawing {
     for (std::size_t i = 0; i < camera_path.size(); ++i) {
       const Pose& pose = camera_path[i];
       const Vector3 forward = io::upright(pose.turned({0, 0, 1}), scene_.up);
-      if (!finite(pose.translation + forward)) continue;
+      if (!io::drawable(pose.translation) || !finite(forward)) continue;
       const Point2 at = place(pose.translation);
       point(line, line.empty() ? 'M' : 'L', at);
       if (i % every != 0) continue;
@@ -265,7 +265,8 @@ void open(XMLElement& root, const MapMeta& meta, const std::string& wanted_title
 std::string plane_map_svg(const PlaneMap& map, const PlaneSvgOptions& options) {
   const io::PlaneScene scene = io::plane_scene(map, options.up, options.camera_path);
   ViewDrawing plan(scene, io::ParallelView::from(-90 * degree, 90 * degree), options, true);
-  ViewDrawing oblique(scene, io::ParallelView::from(-60 * degree, 32 * degree), options, false);
+  ViewDrawing oblique(scene, io::ParallelView::from(io::oblique_turn(scene) * degree, 32 * degree), options,
+                      false);
   const double height = std::max(plan.height(), oblique.height());
 
   tinyxml2::XMLDocument document;

@@ -11,6 +11,7 @@
 #include "io/plane_view_data.hpp"
 #include "io/plane_view_geometry.hpp"
 #include "io/plane_view_painter.hpp"
+#include "io/plane_view_pointers.hpp"
 #include "io/plane_view_style.hpp"
 #include "io/xml_text.hpp"
 
@@ -48,9 +49,10 @@ constexpr const char* stage = R"(<main>
 <canvas id="canvas" tabindex="0" role="application"
   aria-label="The map. Arrow keys turn it, with shift they move it, plus and minus magnify."></canvas>
 <div class="tools">
-<div><button id="iso" title="from the front, right and above; key i, and 0">Iso</button><button id="top"
+<div><button id="iso" title="obliquely from above; key i">Iso</button><button id="top"
   title="from above; key t">Top</button><button id="front" title="key f">Front</button><button id="side"
-  title="from the right; key s">Side</button></div>
+  title="from the right; key s">Side</button><button id="reset"
+  title="all planes, seen obliquely from above; key 0">Reset</button></div>
 <div><button id="points" title="readings; key p">Points</button><button id="ids"
   title="key n">Ids</button><button id="path" title="cameras; key c">Path</button><button id="inside"
   title="planes seen from behind are pale; key w">See inside</button><button id="perspective"
@@ -116,7 +118,8 @@ std::string plane_map_html(const PlaneMap& map, const PlaneViewOptions& options)
   add({"<noscript>The map is drawn by a script of this page, which the browser does not run.</noscript>\n"});
   add({"<script type=\"application/json\" id=\"map\">", io::plane_view_data(map, scene, options),
        "</script>\n"});
-  for (const char* script : {io::plane_view_geometry, io::plane_view_painter, io::plane_view_controls}) {
+  for (const char* script :
+       {io::plane_view_geometry, io::plane_view_painter, io::plane_view_pointers, io::plane_view_controls}) {
     add({"<script>", script, "</script>\n"});
   }
   add({"</body>\n</html>\n"});

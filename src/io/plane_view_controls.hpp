@@ -4,17 +4,18 @@
 
 namespace straightedge::io {
 
-/// The part of the viewer's script that makes the list, and listens to mouse, touch, keys and the page's address.
+/// The part of the viewer's script that makes the list, moves the view, and listens to keys, buttons and the page's
+/// address.
 inline constexpr const char* plane_view_controls = R"js('use strict';
 (() => {
   const byId = id => document.getElementById(id);
   const data = JSON.parse(byId('map').textContent);
   const canvas = byId('canvas');
   const switches = ['points', 'ids', 'path', 'inside', 'perspective'];
-  const views = { iso: [-60, 30], top: [-90, 90], front: [-90, 0], side: [0, 0] };
+  const views = { iso: [data.turn, 30], top: [-90, 90], front: [-90, 0], side: [0, 0] };
   const state = { hidden: new Set(), hover: -1, selected: -1, opacity: 0.88, radius: 1 };
   const colours = {};
-  const view = { turn: -60, tilt: 30, target: [0, 0, 0], scale: 100, distance: Infinity, width: 100, height: 100 };
+  const view = { turn: 0, tilt: 0, target: [0, 0, 0], scale: 100, distance: Infinity, width: 100, height: 100 };
   let untouched = true, movedAt = 0, waiting = 0, settle = 0;
 
   function readColours() {
@@ -77,6 +78,12 @@ inline constexpr const char* plane_view_controls = R"js('use strict';
     view.target = Geometry.along(Geometry.along(view.target, -x / view.scale, camera.right), y / view.scale, camera.up);
     untouched = false;
     redraw(true);
+  }
+
+  function reset() {
+    data.planes.forEach((plane, i) => show(i, true));
+    select(-1, false);
+    look('iso');
   }
 
   // What is under (x, y) stays there.
@@ -199,53 +206,9 @@ inline constexpr const char* plane_view_controls = R"js('use strict';
     byId('rows').append(...sorted.map(i => rows[i]));
   }
 
-  const pointers = new Map();
-  let pressed = null;
-  const place = event => {
-    const box = canvas.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
-  };
-  canvas.addEventListener('pointerdown', event => {
-    canvas.setPointerCapture(event.pointerId);
-    pointers.set(event.pointerId, place(event));
-    pressed = pointers.size === 1 ? place(event) : null;
-  });
-  canvas.addEventListener('pointermove', event => {
-    const [x, y] = place(event), before = pointers.get(event.pointerId);
-    if (!before) {
-      if (event.pointerType === 'mouse') mark('hover', painter.planeAt(x, y));
-      return;
-    }
-    // A tap is no drag, though the finger trembles.
-    if (pressed && Math.hypot(x - pressed[0], y - pressed[1]) < 5) return;
-    pressed = null;
-    const dx = x - before[0], dy = y - before[1];
-    if (pointers.size === 2) {
-      const [other] = [...pointers].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
-      const span = at => Math.max(Math.hypot(at[0] - other[0], at[1] - other[1]), 1);
-      move(dx / 2, dy / 2);
-      zoom(span([x, y]) / span(before), (x + other[0]) / 2, (y + other[1]) / 2);
-    } else if (event.shiftKey || (event.buttons & 6) !== 0) {
-      move(dx, dy);
-    } else {
-      turn(0.4 * dx, 0.4 * dy);
-    }
-    pointers.set(event.pointerId, [x, y]);
-  });
-  const released = event => {
-    if (pressed && event.type === 'pointerup') select(painter.planeAt(...pressed), true);
-    pointers.delete(event.pointerId);
-    pressed = null;
-  };
-  canvas.addEventListener('pointerup', released);
-  canvas.addEventListener('pointercancel', released);
-  canvas.addEventListener('pointerleave', () => mark('hover', -1));
-  canvas.addEventListener('contextmenu', event => event.preventDefault());
-  canvas.addEventListener('wheel', event => {
-    event.preventDefault();
-    const lines = event.deltaMode === 1 ? 30 : event.deltaMode === 2 ? 400 : 1;
-    zoom(Math.pow(1.0015, -Math.max(-400, Math.min(400, lines * event.deltaY))), ...place(event));
-  }, { passive: false });
+  listenToPointers(canvas, { turn, move, zoom,
+    hover: (x, y) => mark('hover', x === null ? -1 : painter.planeAt(x, y)),
+    tap: (x, y) => select(painter.planeAt(x, y), true) });
 
   const turns = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
   const letters = { i: 'iso', t: 'top', f: 'front', s: 'side' };
@@ -257,7 +220,7 @@ inline constexpr const char* plane_view_controls = R"js('use strict';
     else if (arrow) turn(5 * arrow[0], 5 * arrow[1]);
     else if (event.key === '+' || event.key === '=') zoom(1.2, view.width / 2, view.height / 2);
     else if (event.key === '-') zoom(1 / 1.2, view.width / 2, view.height / 2);
-    else if (event.key === '0') look('iso');
+    else if (event.key === '0') reset();
     else if (event.key === 'Escape') select(-1, false);
     else if (letters[event.key]) look(letters[event.key]);
     else if (toggles[event.key] && !byId(toggles[event.key]).hidden) set(toggles[event.key], !state[toggles[event.key]]);
@@ -286,6 +249,7 @@ inline constexpr const char* plane_view_controls = R"js('use strict';
   data.planes.forEach(makeRow);
   detail();
   for (const name of Object.keys(views)) byId(name).addEventListener('click', () => look(name));
+  byId('reset').addEventListener('click', reset);
   for (const name of switches) byId(name).addEventListener('click', () => set(name, !state[name]));
   byId('all').addEventListener('change', () => data.planes.forEach((plane, i) => show(i, byId('all').checked)));
   document.querySelectorAll('th button').forEach(head => head.addEventListener('click', () => sortBy(Number(head.value))));

@@ -137,7 +137,7 @@ std::string path_of(std::span<const Pose> path) {
   for (const Pose& pose : path) {
     const Vector3 forward = pose.turned({0, 0, 1});
     const Vector3 down = pose.turned({0, 1, 0});
-    if (!finite(pose.translation + forward + down)) continue;
+    if (!drawable(pose.translation) || !finite(forward + down)) continue;
     text += '[';
     for (const Vector3& v : {pose.translation, forward, down}) {
       text += triple(v);
@@ -162,7 +162,7 @@ std::string cloud_of(const PlaneMap& map, const PlaneViewOptions& options, const
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count && options.max_points > 0; i += every) {
     const PlaneViewPoint& point = options.points[i];
-    if (!finite(point.at)) continue;
+    if (!drawable(point.at)) continue;
     const auto found = plane_of_id.find(point.plane);
     grid.append(of_plane[found == plane_of_id.end() ? map.planes.size() : found->second], point.at);
     ++kept;
@@ -211,6 +211,7 @@ std::string plane_view_data(const PlaneMap& map, const PlaneScene& scene, const 
   std::string text = "{";
   for (const auto& [name, value] : std::initializer_list<std::pair<const char*, std::string>>{
            {"up", json_text(name_of(scene.up))},
+           {"turn", to_text(oblique_turn(scene))},
            {"origin", triple(grid.origin())},
            {"step", to_text(grid.step())},
            {"planes", planes_of(scene, grid)},

@@ -16,6 +16,7 @@ std::string json_text(std::string_view text);
 
 /// What the script of the page draws, as one JSON object:
 ///  up         "z", "y" or "-y";
+///  turn       degrees: where the eye stands in the oblique view (oblique_turn);
 ///  origin, step   metres: a coordinate c below stands for origin + step · c;
 ///  planes     id, n, d, length, width, area, front, colour, and points, frames, seen, source where the map
 ///  has them;

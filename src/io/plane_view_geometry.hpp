@@ -58,8 +58,8 @@ const Geometry = (() => {
     return pieces;
   }
 
-  // On which side of a plane the corners lie: 1 that of the normal, -1 the other one, 0 both. What sticks
-  // out a little, as at a noisy corner of a room, does not count.
+  // On which side of a plane the corners lie: 2 that of the normal, -2 the other one, 0 both; 1 and -1 when only
+  // a little sticks out, as at a noisy corner of a room.
   function sideOf(corners, normal, distance) {
     let low = Infinity, high = -Infinity;
     for (const corner of corners) {
@@ -67,9 +67,9 @@ const Geometry = (() => {
       low = Math.min(low, s);
       high = Math.max(high, s);
     }
-    if (low >= 0 && high > 0) return 1;
-    if (high <= 0 && low < 0) return -1;
-    const slack = Math.max(0.03, 0.08 * (high - low));
+    if (low >= 0 && high > 0) return 2;
+    if (high <= 0 && low < 0) return -2;
+    const slack = Math.max(0.03, 0.04 * (high - low));
     if (-low <= slack && high > slack) return 1;
     if (high <= slack && -low > slack) return -1;
     return 0;
@@ -134,16 +134,15 @@ const Geometry = (() => {
   function paintOrder(items, sides, n) {
     const m = items.length;
     const behind = new Uint8Array(m * m), waits = new Int32Array(m);
-    const hides = (a, b) => {
-      const ab = sides[a.piece * n + b.piece] * b.eye, ba = sides[b.piece * n + a.piece] * a.eye;
-      return ab < 0 || ba > 0;
-    };
+    // How surely a hides behind b: 0 not at all, 2 with nothing sticking out.
+    const hides = (a, b) =>
+      Math.max(-sides[a.piece * n + b.piece] * b.eye, sides[b.piece * n + a.piece] * a.eye, 0);
     for (let i = 0; i < m; ++i) {
       for (let j = i + 1; j < m; ++j) {
         if (apart(items[i].box, items[j].box)) continue;
         const ij = hides(items[i], items[j]), ji = hides(items[j], items[i]);
-        if (ij && !ji) { behind[i * m + j] = 1; ++waits[j]; }
-        if (ji && !ij) { behind[j * m + i] = 1; ++waits[i]; }
+        if (ij > ji) { behind[i * m + j] = 1; ++waits[j]; }
+        if (ji > ij) { behind[j * m + i] = 1; ++waits[i]; }
       }
     }
     const byDepth = items.map((item, i) => i).sort((a, b) => items[a].depth - items[b].depth || a - b);

@@ -30,7 +30,8 @@ canvas:focus-visible { outline: 2px solid var(--accent); outline-offset: -2px; }
 .tools button { border: 0; border-right: 1px solid var(--rule); padding: .35rem .7rem; background: var(--panel); color: inherit;
   font: inherit; cursor: pointer; min-height: 2rem; }
 .tools button:last-child { border-right: 0; }
-.tools button[aria-pressed=false] { color: var(--soft); text-decoration: line-through; }
+.tools button[aria-pressed=true] { background: var(--mark); color: var(--accent); }
+.tools button[aria-pressed=false] { color: var(--soft); }
 .tools button[hidden] { display: none; }
 button:hover { background: var(--mark); }
 .help { position: absolute; right: .8rem; bottom: .5rem; margin: 0; color: var(--soft); font-size: 12px; pointer-events: none; }

@@ -13,8 +13,9 @@
 /// Pictures of plane maps. Both draw from back to front, and pale what is looked at from behind, so that
 /// one looks into a room over its near walls and under its ceiling. A plane's front is the side from which it
 /// was seen; where the map does not say, the side on which nearly all of the other planes lie; else both.
-/// Polygons with fewer than three points or with numbers that are not finite are left out. The same
-/// input gives the same bytes. A plane has the same colour in every picture: plane_colour of its id.
+/// Polygons with fewer than three points, and what has numbers that are not finite or beyond 1e9 m, are left
+/// out. The same input gives the same bytes. A plane has the same colour in every picture: plane_colour of
+/// its id.
 namespace straightedge {
 
 /// Which axis of the map points up.
@@ -58,8 +59,9 @@ struct PlaneSvgOptions {
 };
 
 /// A drawing with two views side by side, each with its scale bar: a plan from above, in which walls
-/// are thick lines, and a parallel projection from the front, right and above. An id stands on its plane or
-/// is led to it by a thin line; ids do not overlap, and where there is no room for one it is left out.
+/// are thick lines, and a parallel projection obliquely from above, from the corner to which most planes turn
+/// their fronts. An id stands on its plane or is led to it by a thin line; ids do not overlap, and where
+/// there is no room for one it is left out.
 std::string plane_map_svg(const PlaneMap& map, const PlaneSvgOptions& options = {});
 
 }  // namespace straightedge
