@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "io/number_text.hpp"
+#include "io/quoted_word.hpp"
 
 namespace straightedge::io {
 namespace {
@@ -20,13 +21,6 @@ std::vector<std::string_view> words_of(std::string_view text) {
     at = end;
   }
   return words;
-}
-
-/// For a sentence: short, and without what a terminal would act upon.
-std::string quoted(std::string_view word) {
-  std::string text;
-  for (const char c : word.substr(0, 40)) text += c > ' ' && c <= '~' ? c : '?';
-  return "'" + text + "'";
 }
 
 }  // namespace

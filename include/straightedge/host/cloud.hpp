@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "straightedge/host/pose.hpp"
@@ -29,10 +32,18 @@ struct Cloud {
   }
 };
 
-/// PCD 0.6/0.7 (ascii, binary, binary_compressed) or PLY 1.0 (ascii, both byte orders), told apart by their
-/// first bytes. Coordinates may be any number type; other fields, lists and elements are passed over.
-/// bad_content: a header that promises more than 2^31 points or more than the file holds, truncated data, no
-/// x y z. Sizes are checked before memory is taken.
+/// A longer file is refused before it is read.
+inline constexpr std::size_t max_cloud_file_bytes = std::size_t{1} << 35;
+
+/// PCD up to 0.7 (ascii, binary, binary_compressed) or PLY 1.0 (ascii, both byte orders), told apart by their
+/// first lines. Coordinates may be any number type; other fields, lists and elements are passed over, and so
+/// is what follows the points.
+/// bad_content: a header that promises more than 2^31 points or more than the file holds, truncated data, a
+/// line of text with too few or too many values, no x y z, a VIEWPOINT that is no rotation. Sizes are checked
+/// before memory is taken. A file of no points gives none.
 Result<Cloud> read_cloud(const std::filesystem::path& file);
+
+/// The same from a file's bytes; `name` is what the sentences of failures call them.
+Result<Cloud> cloud_from_bytes(std::string_view bytes, const std::string& name);
 
 }  // namespace straightedge
