@@ -150,9 +150,11 @@ void loops_of(std::span<const ExtentPiece> pieces, const ExtentOptions& options,
       points.push_back({raster.origin.a + cells.x[i] * raster.cell, raster.origin.b + cells.y[i] * raster.cell});
     }
     const bool hole = signed_area(points) < 0;
-    ExtentLoop loop{simplified(points, 1.2 * raster.cell), 0};
-    loop.area = signed_area(loop.points);
-    if (loop.points.size() >= 3 && (hole ? loop.area < 0 : loop.area > 0)) loops.push_back(std::move(loop));
+    std::vector<PlanePoint> few = simplified(points, 2 * raster.cell);
+    // A sliver keeps its shape.
+    if (few.size() < 3 || (signed_area(few) < 0) != hole || signed_area(few) == 0) few = points;
+    const double area = signed_area(few);
+    loops.push_back({std::move(few), area});
   }
 }
 

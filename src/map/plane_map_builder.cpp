@@ -22,7 +22,7 @@ Result<Done> check_options(const PlaneMapOptions& o) {
   const bool good = o.gate.valid() && between(o.floor.angle_rad, 0, 1) && between(o.floor.offset_m, 0, 1) &&
                     between(o.reading_floor, 0, 10) && between(o.shared_noise, 1, 1e6) &&
                     between(o.chi_square, 1e-9, 1e9) && between(o.max_angle, 0, 1) &&
-                    between(o.max_offset, 0, 1) && between(o.min_area, 0, 1e6) && between(o.max_gap, 0, 10) &&
+                    between(o.max_offset, 0, 1) && between(o.max_tilt, 0, 2) && between(o.min_area, 0, 1e6) && between(o.max_gap, 0, 10) &&
                     between(o.max_hole, 0, 1e6);
   if (!good) return Failure{Problem::bad_option, "an option of the plane map is out of its range"};
   return Done{};
@@ -68,6 +68,11 @@ std::vector<std::uint32_t> leaves_of(const PlaneGroup& group, std::span<const Pl
     leaves.insert(leaves.end(), patches[p].leaves.begin(), patches[p].leaves.end());
   std::sort(leaves.begin(), leaves.end());
   return leaves;
+}
+
+/// Of the worse one of the two tilts, without the floor, which is there however many readings come.
+double tilt_variance(const SurfaceEstimate& e, const PlaneMapOptions& options) {
+  return std::max(e.var_u, e.var_v) - options.floor.angle_rad * options.floor.angle_rad;
 }
 
 /// Step 7. False for an extent that is too small.
@@ -148,6 +153,8 @@ Result<PlaneMapReading> PlaneMapBuilder::build() const {
     Candidate c{exported(group, options_), leaves_of(group, patches)};
     if (*c.plane.points < options_.min_points) {
       ++reading.report.too_few;
+    } else if (tilt_variance(group.estimate, options_) > options_.max_tilt * options_.max_tilt) {
+      ++reading.report.too_vague;
     } else if (options_.polygons && !outline(c, leaves, options_)) {
       ++reading.report.too_small;
     } else {
