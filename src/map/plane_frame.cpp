@@ -42,6 +42,33 @@ void set_weight(FramePlane& plane, const PlaneGate& gate) {
   plane.weight_by_depth = 1 / (across * across * plane_grid::weight_unit);
 }
 
+/// The run's sums as its leaf adds them.
+PlaneLeafSums weighted(const LeafRun& run, const FramePlane& plane) {
+  constexpr auto most = static_cast<double>(plane_grid::most_weight);
+  const auto w = static_cast<std::int64_t>(std::clamp(run.weight + 0.5, 1.0, most));
+  PlaneLeafSums s;
+  s.readings = static_cast<std::uint64_t>(run.readings);
+  s.weight = w * run.readings;
+  s.x = w * run.x;
+  s.y = w * run.y;
+  s.z = w * run.z;
+  s.xx = w * run.xx;
+  s.xy = w * run.xy;
+  s.xz = w * run.xz;
+  s.yy = w * run.yy;
+  s.yz = w * run.yz;
+  s.zz = w * run.zz;
+  s.nx = s.weight * plane.normal.x;
+  s.ny = s.weight * plane.normal.y;
+  s.nz = s.weight * plane.normal.z;
+  s.tilt = s.weight * plane.tilt;
+  // Wrong labels miss their plane by metres; what they add stays within the bound of all sums.
+  s.residual = w * std::min(run.residual, (std::int64_t{run.readings} << 30U) / w);
+  const double quanta = run.spacing * plane_grid::quanta_per_m;
+  if (quanta > 0 && quanta < plane_grid::no_spacing) s.spacing = static_cast<std::uint16_t>(quanta);
+  return s;
+}
+
 }  // namespace
 
 Result<Done> check_pose(const Pose& pose) {
@@ -84,55 +111,23 @@ Result<std::vector<FramePlane>> frame_planes(std::span<const FoundPlane> planes,
   return ready;
 }
 
-void LeafRun::add(std::int32_t i, std::int32_t j, std::int32_t k, std::int64_t w, std::int64_t r) noexcept {
-  constexpr std::int32_t within = plane_grid::leaf_side - 1;
-  constexpr std::int32_t half = plane_grid::leaf_side / 2;
-  constexpr std::int64_t most = std::int64_t{1} << 30U;
-  const std::int64_t x = (i & within) - half;
-  const std::int64_t y = (j & within) - half;
-  const std::int64_t z = (k & within) - half;
-  const std::int64_t wx = w * x;
-  const std::int64_t wy = w * y;
-  const std::int64_t wz = w * z;
-  sums.readings += 1;
-  sums.weight += w;
-  sums.x += wx;
-  sums.y += wy;
-  sums.z += wz;
-  sums.xx += wx * x;
-  sums.xy += wx * y;
-  sums.xz += wx * z;
-  sums.yy += wy * y;
-  sums.yz += wy * z;
-  sums.zz += wz * z;
-  sums.residual += std::min(w * r * r, most);
-}
-
-void LeafWriter::put(LeafRun& run, double spacing) {
+void LeafWriter::put(const LeafRun& run) {
   if (run.label == 0) return;
   const FramePlane& plane = planes_[run.label - 1];
   const auto centre = [](std::uint32_t i) {
     return (static_cast<double>(i) + 0.5) * static_cast<double>(plane_grid::leaf_side);
   };
-  const Vector3 middle{centre(run.place.x), centre(run.place.y), centre(run.place.z)};
+  const LeafPlace leaf = run.first.leaf();
+  const Vector3 middle{centre(leaf.x), centre(leaf.y), centre(leaf.z)};
   const double offset = plane.offset - dot(plane.towards_camera, middle);
-  PlaneLeafSums& s = run.sums;
-  s.nx = s.weight * plane.normal.x;
-  s.ny = s.weight * plane.normal.y;
-  s.nz = s.weight * plane.normal.z;
-  s.tilt = s.weight * plane.tilt;
-  const double quanta = spacing * plane_grid::quanta_per_m;
-  if (spacing > 0)
-    s.spacing = quanta < plane_grid::no_spacing ? static_cast<std::uint16_t>(quanta) : plane_grid::no_spacing;
-
-  const std::size_t place = leaves_.place({leaf_code(run.place), surface_bin(plane.direction, offset)});
+  const PlaneLeafSums s = weighted(run, plane);
+  const std::size_t place = leaves_.place({leaf_code(leaf), surface_bin(plane.direction, offset)});
   if (place >= tally_.size()) tally_.resize(place + 1 + tally_.size() / 2, 0);
   if (tally_[place] == 0) touched_.push_back({static_cast<std::uint32_t>(place), run.label});
   tally_[place] += static_cast<std::uint32_t>(s.readings);
   PlaneLeafSums& sums = leaves_.at(place);
   sums.add(s);
   leaves_.note_fullest(sums.readings);
-  run = {};
 }
 
 RegisteredFrame LeafWriter::finish() {

@@ -34,14 +34,33 @@ Result<Done> check_pose(const Pose& pose);
 Result<std::vector<FramePlane>> frame_planes(std::span<const FoundPlane> planes, const Pose& pose,
                                              const PlaneGate& gate);
 
-/// Sums of neighbouring readings that go to one leaf and surface, kept out of the table while they last.
+/// Where a reading goes: quanta of the grid, and quanta from its plane.
+struct GridReading {
+  std::int32_t i = 0, j = 0, k = 0, residual = 0;
+
+  LeafPlace leaf() const noexcept {
+    constexpr int bits = plane_grid::leaf_bits;
+    return {static_cast<std::uint32_t>(i >> bits), static_cast<std::uint32_t>(j >> bits),
+            static_cast<std::uint32_t>(k >> bits)};
+  }
+  bool same_leaf(const GridReading& o) const noexcept {
+    return static_cast<std::uint32_t>((i ^ o.i) | (j ^ o.j) | (k ^ o.k)) < plane_grid::leaf_side;
+  }
+};
+inline constexpr std::int32_t most_residual = 1 << 20;  ///< quanta, 256 m
+
+/// Neighbouring readings that go to one leaf and surface, summed in short integers and without their weight:
+/// that of the first serves for all.
 struct LeafRun {
   std::uint32_t label = 0;  ///< 0: empty
-  LeafPlace place;
-  PlaneLeafSums sums;
+  GridReading first;
+  double weight = 0;   ///< in weight_unit, of the first reading; at most most_weight
+  double spacing = 0;  ///< metres between neighbouring readings there; 0: not known
+  std::int32_t readings = 0;
+  std::int32_t x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  std::int64_t residual = 0;
 
-  /// `i`, `j`, `k` quanta of the grid; `w` weight, `r` quanta from the plane.
-  void add(std::int32_t i, std::int32_t j, std::int32_t k, std::int64_t w, std::int64_t r) noexcept;
+  static constexpr std::int32_t most_readings = 1 << 15;  ///< of 2^14 each: the sums stay below 2^30
 };
 
 /// Puts runs into the leaves and remembers what the frame did.
@@ -50,8 +69,8 @@ class LeafWriter {
   LeafWriter(PlaneLeaves& leaves, std::vector<std::uint32_t>& tally, std::span<const FramePlane> planes)
       : leaves_(leaves), tally_(tally), planes_(planes) {}
 
-  /// Empties the run. `spacing`: metres between neighbouring readings there, 0 when that is unknown.
-  void put(LeafRun& run, double spacing);
+  /// Adds the run, if it is one, to its leaf.
+  void put(const LeafRun& run);
   /// Counts sightings, finds the anchors, cleans the tally.
   RegisteredFrame finish();
 

@@ -8,6 +8,7 @@
 #include "map/plane_export.hpp"
 #include "map/plane_frame.hpp"
 #include "map/plane_groups.hpp"
+#include "map/plane_outline.hpp"
 #include "map/plane_register.hpp"
 
 namespace straightedge {
@@ -21,7 +22,7 @@ Result<Done> check_options(const PlaneMapOptions& o) {
   const bool good = o.gate.valid() && between(o.floor.angle_rad, 0, 1) && between(o.floor.offset_m, 0, 1) &&
                     between(o.reading_floor, 0, 10) && between(o.shared_noise, 1, 1e6) &&
                     between(o.chi_square, 1e-9, 1e9) && between(o.max_angle, 0, 1) &&
-                    between(o.max_offset, 0, 1) && between(o.min_area, 0, 1e6) && between(o.max_gap, 0, 10) &&
+                    between(o.max_offset, 0, 1) && between(o.max_tilt, 0, 2) && between(o.min_area, 0, 1e6) && between(o.max_gap, 0, 10) &&
                     between(o.max_hole, 0, 1e6);
   if (!good) return Failure{Problem::bad_option, "an option of the plane map is out of its range"};
   return Done{};
@@ -54,6 +55,34 @@ Result<std::vector<FramePlane>> prepare_frame(const PlaneMapOptions& options, co
   if (leaves.fullest() + readings > plane_grid::most_readings)
     return refusal("a leaf of the plane map cannot sum more readings");
   return frame_planes(planes, pose, options.gate);
+}
+
+struct Candidate {
+  MapPlane plane;
+  std::vector<std::uint32_t> leaves;
+};
+
+std::vector<std::uint32_t> leaves_of(const PlaneGroup& group, std::span<const PlanePatch> patches) {
+  std::vector<std::uint32_t> leaves;
+  for (const std::uint32_t p : group.patches)
+    leaves.insert(leaves.end(), patches[p].leaves.begin(), patches[p].leaves.end());
+  std::sort(leaves.begin(), leaves.end());
+  return leaves;
+}
+
+/// Of the worse one of the two tilts, without the floor, which is there however many readings come.
+double tilt_variance(const SurfaceEstimate& e, const PlaneMapOptions& options) {
+  return std::max(e.var_u, e.var_v) - options.floor.angle_rad * options.floor.angle_rad;
+}
+
+/// Step 7. False for an extent that is too small.
+bool outline(Candidate& c, std::span<const PlaneLeaf> leaves, const PlaneMapOptions& options) {
+  const PlaneChart chart(c.plane.plane, c.plane.moments->mean);
+  const auto loops = extent_loops(covered_by(chart, leaves, c.leaves), extent_options(options));
+  double area = 0;
+  for (const ExtentLoop& loop : loops) area += loop.area;
+  c.plane.polygons = polygons_of(chart, loops);
+  return area >= options.min_area;
 }
 
 /// Step 8: the largest first, then by normal and distance.
@@ -118,28 +147,26 @@ Result<PlaneMapReading> PlaneMapBuilder::build() const {
   const std::vector<PlanePatch> patches = make_patches(leaves, options_);
   reading.report.patches = static_cast<std::uint32_t>(patches.size());
   const std::vector<PlaneGroup> groups = group_patches(patches, options_);
-  // Step 6.
-  struct Candidate {
-    MapPlane plane;
-    const PlaneGroup* group = nullptr;
-  };
+  // Steps 6 and 7.
   std::vector<Candidate> candidates;
   for (const PlaneGroup& group : groups) {
-    Candidate c{exported(group, options_), &group};
+    Candidate c{exported(group, options_), leaves_of(group, patches)};
     if (*c.plane.points < options_.min_points) {
       ++reading.report.too_few;
-      continue;
+    } else if (tilt_variance(group.estimate, options_) > options_.max_tilt * options_.max_tilt) {
+      ++reading.report.too_vague;
+    } else if (options_.polygons && !outline(c, leaves, options_)) {
+      ++reading.report.too_small;
+    } else {
+      candidates.push_back(std::move(c));
     }
-    candidates.push_back(std::move(c));
   }
   // Step 8.
   std::sort(candidates.begin(), candidates.end(),
             [](const Candidate& a, const Candidate& b) { return comes_first(a.plane, b.plane); });
   for (Candidate& c : candidates) {
     c.plane.id = static_cast<std::uint32_t>(reading.map.planes.size() + 1);
-    for (const std::uint32_t p : c.group->patches) {
-      for (const std::uint32_t i : patches[p].leaves) reading.leaf_ids.push_back({leaves[i].key, c.plane.id});
-    }
+    for (const std::uint32_t i : c.leaves) reading.leaf_ids.push_back({leaves[i].key, c.plane.id});
     reading.map.planes.push_back(std::move(c.plane));
   }
   std::sort(reading.leaf_ids.begin(), reading.leaf_ids.end(),

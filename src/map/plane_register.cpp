@@ -3,21 +3,13 @@
 #include "map/plane_register.hpp"
 
 #include <algorithm>
-#include <vector>
-
-#include "straightedge/rounding.hpp"
+#include <array>
+#include <cstdlib>
 
 namespace straightedge {
 namespace {
 
-/// A plane's readings lie where 1/z = a u + b v + c; nothing else is needed of it pixel by pixel.
-struct RowPlane {
-  double a = 0, row = 0;  ///< 1/z = a u + row
-  double distance = 0;
-  double weight_by_depth = 0, weight_anywhere = 0;
-};
-
-/// The pose and the camera in one, in quanta of the grid: place = z (u along_u + row) + origin.
+/// The pose and the camera in one, in quanta of the grid: place = z (u along_u + v along_v + corner) + origin.
 struct GridCamera {
   Vector3 along_u, along_v, corner, origin;
 };
@@ -32,46 +24,101 @@ GridCamera grid_camera(const PinholeCamera& camera, const Pose& pose) {
   return grid;
 }
 
-std::int64_t weight_of(double weight) {
-  constexpr auto most = static_cast<double>(plane_grid::most_weight);
-  return static_cast<std::int64_t>(std::clamp(weight + 0.5, 1.0, most));
-}
-
-std::int64_t residual_of(double metres) {
-  constexpr double most = 1 << 20U;
-  return static_cast<std::int64_t>(std::clamp(metres * plane_grid::quanta_per_m, -most, most));
-}
-
-bool on_grid(const Vector3& p) {
-  return p.x >= 0 && p.x < grid_end && p.y >= 0 && p.y < grid_end && p.z >= 0 && p.z < grid_end;
-}
-
-struct GridPoint {
-  std::int32_t i = 0, j = 0, k = 0;
-
-  explicit GridPoint(const Vector3& p)
-      : i(static_cast<std::int32_t>(p.x)), j(static_cast<std::int32_t>(p.y)), k(static_cast<std::int32_t>(p.z)) {}
-  LeafPlace leaf() const {
-    constexpr int bits = plane_grid::leaf_bits;
-    return {static_cast<std::uint32_t>(i >> bits), static_cast<std::uint32_t>(j >> bits),
-            static_cast<std::uint32_t>(k >> bits)};
-  }
+/// A frame's plane in one row: 1/z = by_u · u + constant.
+struct RowPlane {
+  double by_u = 0, constant = 0;
+  double distance = 0;  ///< quanta
 };
 
-/// Metres from a pixel to the next on a plane at this depth, along its steepest direction.
-double pixel_spacing(double z, double distance, double focal) {
-  return z / focal * std::max(1.0, z / std::max(distance, 1e-3));
+RowPlane row_plane(const FramePlane& plane, const PinholeCamera& camera, double v) {
+  const double by_distance = 1 / std::max(plane.in_camera.distance, 1e-6);
+  return {plane.in_camera.normal.x / camera.fx * by_distance,
+          dot(plane.in_camera.normal, camera.ray(0, v)) * by_distance,
+          plane.in_camera.distance * plane_grid::quanta_per_m};
 }
 
-void start_row(std::span<const FramePlane> planes, const PinholeCamera& camera, double v,
-               std::vector<RowPlane>& rows) {
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    const Plane& plane = planes[i].in_camera;
-    const double by_distance = 1 / std::max(plane.distance, 1e-6);
-    const Vector3 ray = camera.ray(0, v);
-    rows[i] = {plane.normal.x / camera.fx * by_distance, dot(plane.normal, ray) * by_distance,
-               plane.distance, planes[i].weight_by_depth, planes[i].weight_anywhere};
+/// Neither a value beyond the bounds nor NaN comes through: that becomes −bound.
+double bounded(double x, double bound) {
+  const double below = x < bound ? x : bound;
+  return below > -bound ? below : -bound;
+}
+
+bool on_grid(const GridReading& p) {
+  constexpr auto end = static_cast<std::int32_t>(grid_end);
+  return p.i >= 0 && p.i < end && p.j >= 0 && p.j < end && p.k >= 0 && p.k < end;
+}
+
+/// Some neighbouring pixels with one label. Plain arithmetic first, which compilers turn into vector
+/// instructions; decisions after.
+struct Segment {
+  static constexpr std::int32_t most = 128;
+  std::int32_t i[most], j[most], k[most], residual[most];
+
+  /// Steps 1 and 2.
+  void place(const std::uint16_t* raw, std::int32_t first, std::int32_t count, double metres_per_unit,
+             const RowPlane& plane, const GridCamera& grid, const Vector3& row) noexcept {
+    for (std::int32_t n = 0; n < count; ++n) {
+      const double u = first + n;
+      const double inverse = plane.by_u * u + plane.constant;
+      const double z = 1 / inverse;
+      i[n] = static_cast<std::int32_t>(bounded(z * (u * grid.along_u.x + row.x) + grid.origin.x, grid_end));
+      j[n] = static_cast<std::int32_t>(bounded(z * (u * grid.along_u.y + row.y) + grid.origin.y, grid_end));
+      k[n] = static_cast<std::int32_t>(bounded(z * (u * grid.along_u.z + row.z) + grid.origin.z, grid_end));
+      const double beyond = raw[n] * metres_per_unit * inverse - 1;
+      residual[n] = static_cast<std::int32_t>(bounded(beyond * plane.distance, most_residual));
+    }
   }
+  GridReading at(std::int32_t n) const noexcept { return {i[n], j[n], k[n], residual[n]}; }
+};
+
+/// Weight and spacing of a run by its first reading.
+LeafRun new_run(std::uint32_t label, const GridReading& first, const FramePlane& plane, double inverse,
+                double focal) {
+  LeafRun run;
+  run.label = label;
+  run.first = first;
+  run.weight = plane.weight_by_depth * inverse * inverse + plane.weight_anywhere;
+  // Along a plane's steepest direction neighbouring pixels are z/distance times farther apart.
+  const double z = 1 / inverse;
+  run.spacing = z / focal * std::max(1.0, z / std::max(plane.in_camera.distance, 1e-3));
+  return run;
+}
+
+bool continues(const LeafRun& run, std::uint32_t label, const GridReading& p) {
+  return run.label == label && run.first.same_leaf(p) && run.readings < LeafRun::most_readings;
+}
+
+inline void add_reading(LeafRun& run, const GridReading& p) {
+  constexpr std::int32_t within = plane_grid::leaf_side - 1;
+  constexpr std::int32_t half = plane_grid::leaf_side / 2;
+  const std::int32_t x = (p.i & within) - half;
+  const std::int32_t y = (p.j & within) - half;
+  const std::int32_t z = (p.k & within) - half;
+  run.readings += 1;
+  run.x += x;
+  run.y += y;
+  run.z += z;
+  run.xx += x * x;
+  run.xy += x * y;
+  run.xz += x * z;
+  run.yy += y * y;
+  run.yz += y * z;
+  run.zz += z * z;
+  run.residual += std::int64_t{p.residual} * p.residual;
+}
+
+/// Adds readings from n on while they fall into the run's leaf; returns the first that does not.
+std::int32_t add_neighbours(LeafRun& run, const Segment& segment, std::int32_t n, std::int32_t end,
+                            std::int32_t far_off) {
+  LeafRun sums = run;  // a copy of its own stays in registers
+  end = std::min(end, n + (LeafRun::most_readings - sums.readings));
+  for (; n < end; ++n) {
+    const GridReading p = segment.at(n);
+    if (!sums.first.same_leaf(p) || p.residual > far_off || p.residual < -far_off) break;
+    add_reading(sums, p);
+  }
+  run = sums;
+  return n;
 }
 
 }  // namespace
@@ -82,47 +129,44 @@ LeftOut register_depth(const DepthView& depth, ImageView<const std::uint16_t> la
   LeftOut out;
   const GridCamera grid = grid_camera(depth.camera, world_from_camera);
   const double focal = std::min(std::abs(depth.camera.fx), std::abs(depth.camera.fy));
-  std::vector<RowPlane> rows(planes.size());
+  Segment segment;
   LeafRun run;
-  double z = 0;
-  const auto put = [&] { writer.put(run, pixel_spacing(z, planes[run.label - 1].in_camera.distance, focal)); };
   for (std::int32_t y = 0; y < depth.raw.height; ++y) {
     const std::uint16_t* raw = depth.raw.row(y);
     const std::uint16_t* label = labels.row(y);
-    start_row(planes, depth.camera, y, rows);
     const Vector3 row = static_cast<double>(y) * grid.along_v + grid.corner;
-    for (std::int32_t x = 0; x < depth.raw.width; ++x) {
-      if (label[x] == 0 || raw[x] == 0) continue;
-      // Step 1. By how much of its depth the reading lies before or behind the plane.
-      const RowPlane& plane = rows[label[x] - 1U];
-      const double u = x;
-      const double inverse = plane.a * u + plane.row;
-      const double beyond = raw[x] * depth.metres_per_unit * inverse - 1;
-      if (!(beyond > -0.5 && beyond < 0.5)) {
-        ++out.off_plane;
-        continue;
-      }
-      // Step 2.
-      const double on_plane = 1 / inverse;
-      const Vector3 place = on_plane * (u * grid.along_u + row) + grid.origin;
-      if (!on_grid(place)) {
-        ++out.out_of_range;
-        continue;
-      }
+    for (std::int32_t x = 0; x < labels.width;) {
+      const std::int32_t first = x;
+      while (x < labels.width && label[x] == label[first] && x - first < Segment::most) ++x;
+      if (label[first] == 0) continue;
+      // Steps 1 and 2.
+      const FramePlane& plane = planes[label[first] - 1U];
+      const RowPlane in_row = row_plane(plane, depth.camera, y);
+      const std::int32_t count = x - first;
+      segment.place(raw + first, first, count, depth.metres_per_unit, in_row, grid, row);
       // Step 3.
-      const GridPoint p(place);
-      const LeafPlace leaf = p.leaf();
-      if (run.label != label[x] || run.place != leaf) {
-        if (run.label != 0) put();
-        run.label = label[x];
-        run.place = leaf;
+      const double half = std::min(0.5 * in_row.distance, most_residual - 1.0);
+      const auto far_off = static_cast<std::int32_t>(half);
+      for (std::int32_t n = 0; n < count;) {
+        const GridReading p = segment.at(n);
+        if (p.residual > far_off || p.residual < -far_off) {
+          out.off_plane += raw[first + n++] != 0 ? 1 : 0;
+          continue;
+        }
+        if (!on_grid(p)) {
+          ++out.out_of_range;
+          ++n;
+          continue;
+        }
+        if (!continues(run, label[first], p)) {
+          writer.put(run);
+          run = new_run(label[first], p, plane, in_row.by_u * (first + n) + in_row.constant, focal);
+        }
+        n = add_neighbours(run, segment, n, count, far_off);
       }
-      z = on_plane;
-      run.add(p.i, p.j, p.k, weight_of(plane.weight_by_depth * inverse * inverse + plane.weight_anywhere),
-              residual_of(beyond * plane.distance));
     }
   }
-  if (run.label != 0) put();
+  writer.put(run);
   return out;
 }
 
@@ -148,24 +192,28 @@ LeftOut register_points(const PointsView& points, std::span<const std::uint16_t>
     const Vector3 on_plane = along_ray ? (distance / (distance + beyond)) * reading
                                        : reading - beyond * plane.in_camera.normal;
     // Step 2.
-    const Vector3 in_world = world_from_sensor.apply(on_plane);
-    const Vector3 place =
-        plane_grid::quanta_per_m * in_world + Vector3{grid_middle, grid_middle, grid_middle};
-    if (!on_grid(place)) {
+    const Vector3 place = plane_grid::quanta_per_m * world_from_sensor.apply(on_plane) +
+                          Vector3{grid_middle, grid_middle, grid_middle};
+    const GridReading p{static_cast<std::int32_t>(bounded(place.x, grid_end)),
+                        static_cast<std::int32_t>(bounded(place.y, grid_end)),
+                        static_cast<std::int32_t>(bounded(place.z, grid_end)),
+                        static_cast<std::int32_t>(bounded(beyond * plane_grid::quanta_per_m, most_residual))};
+    if (!on_grid(p)) {
       ++out.out_of_range;
       continue;
     }
     // Step 3.
-    const GridPoint p(place);
-    if (run.label != label || run.place != p.leaf()) {
-      writer.put(run, 0);
+    if (!continues(run, label, p)) {
+      writer.put(run);
+      run = {};
       run.label = label;
-      run.place = p.leaf();
+      run.first = p;
+      run.weight = plane.weight_anywhere;
+      if (along_ray) run.weight = plane.weight_by_depth / (on_plane.z * on_plane.z);
     }
-    const double by_depth = along_ray ? plane.weight_by_depth / (on_plane.z * on_plane.z) : 0;
-    run.add(p.i, p.j, p.k, weight_of(by_depth + plane.weight_anywhere), residual_of(beyond));
+    add_reading(run, p);
   }
-  writer.put(run, 0);
+  writer.put(run);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "map/plane_basis.hpp"
 #include "map/plane_key.hpp"
 #include "straightedge/symmetric_eigen.hpp"
 
@@ -13,27 +14,6 @@ namespace {
 
 double number(std::int64_t sum) {
   return static_cast<double>(sum);
-}
-
-/// Scatter about the centroid.
-std::array<double, 6> scatter_of(const PlaneMoments& m) {
-  const double by_weight = 1 / m.weight;
-  return {m.xx - m.x * m.x * by_weight, m.xy - m.x * m.y * by_weight, m.xz - m.x * m.z * by_weight,
-          m.yy - m.y * m.y * by_weight, m.yz - m.y * m.z * by_weight, m.zz - m.z * m.z * by_weight};
-}
-
-double quadratic(const std::array<double, 6>& s, const Vector3& t) {
-  return s[0] * t.x * t.x + s[3] * t.y * t.y + s[5] * t.z * t.z +
-         2 * (s[1] * t.x * t.y + s[2] * t.x * t.z + s[4] * t.y * t.z);
-}
-
-/// Any unit vector across the normal, always the same one.
-Vector3 across(const Vector3& n) {
-  const double ax = n.x < 0 ? -n.x : n.x;
-  const double ay = n.y < 0 ? -n.y : n.y;
-  const double az = n.z < 0 ? -n.z : n.z;
-  if (az >= ax && az >= ay) return normalized(cross(Vector3{0, 1, 0}, n));
-  return normalized(cross(Vector3{0, 0, 1}, n));
 }
 
 double square(double x) {
@@ -58,6 +38,17 @@ void Surface::add(const Surface& other) {
   seen_front += turned ? other.seen_back : other.seen_front;
   seen_back += turned ? other.seen_front : other.seen_back;
   sightings += other.sightings;
+}
+
+std::array<double, 6> scatter_of(const PlaneMoments& m) {
+  const double by_weight = 1 / m.weight;
+  return {m.xx - m.x * m.x * by_weight, m.xy - m.x * m.y * by_weight, m.xz - m.x * m.z * by_weight,
+          m.yy - m.y * m.y * by_weight, m.yz - m.y * m.z * by_weight, m.zz - m.z * m.z * by_weight};
+}
+
+double quadratic(const std::array<double, 6>& s, const Vector3& t) {
+  return s[0] * t.x * t.x + s[3] * t.y * t.y + s[5] * t.z * t.z +
+         2 * (s[1] * t.x * t.y + s[2] * t.x * t.z + s[4] * t.y * t.z);
 }
 
 Surface surface_of(const PlaneLeaf& leaf, const Vector3& origin) {
@@ -102,7 +93,7 @@ SurfaceEstimate estimate(const Surface& surface, const PlaneMapOptions& options)
     e.normal = (dot(eigen.vectors[0], e.normal) < 0 ? -1.0 : 1.0) * eigen.vectors[0];
     e.u = eigen.vectors[1];
   } else {
-    e.u = across(e.normal);
+    e.u = plane_basis(e.normal).u;
   }
   e.v = cross(e.normal, e.u);
   const double floor = square(options.floor.angle_rad);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "straightedge/host/plane_leaves.hpp"
@@ -24,6 +25,10 @@ struct Surface {
   /// Adds another one, turned if need be so that both normals point to one side.
   void add(const Surface& other);
 };
+
+/// Scatter about the centroid, xx xy xz yy yz zz, and what of it lies along a direction.
+std::array<double, 6> scatter_of(const PlaneMoments& moments);
+double quadratic(const std::array<double, 6>& scatter, const Vector3& direction);
 
 /// The sums of one leaf, counted from `origin`.
 Surface surface_of(const PlaneLeaf& leaf, const Vector3& origin);

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "map/plane_extent.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "map/plane_raster.hpp"
+#include "straightedge/rounding.hpp"
+
+namespace straightedge {
+namespace {
+
+constexpr double smallest_lot_cell = 0.25;  // metres
+
+using Cell = std::pair<std::int64_t, std::int64_t>;  // row first
+
+struct LotCells {
+  std::vector<Cell> cells;  // sorted
+  std::vector<std::uint32_t> lots;
+
+  std::size_t find(const Cell& cell) const {
+    const auto found = std::lower_bound(cells.begin(), cells.end(), cell);
+    return found != cells.end() && *found == cell ? static_cast<std::size_t>(found - cells.begin())
+                                                  : cells.size();
+  }
+};
+
+template <class Visit>
+void for_each_cell(const ExtentPiece& p, double size, Visit visit) {
+  const std::int64_t x1 = floor_to_integer(p.a1 / size), y1 = floor_to_integer(p.b1 / size);
+  for (std::int64_t y = floor_to_integer(p.b0 / size); y <= y1; ++y) {
+    for (std::int64_t x = floor_to_integer(p.a0 / size); x <= x1; ++x) visit(Cell{y, x});
+  }
+}
+
+/// Numbers the cells' connected regions; neighbours by sides and corners.
+void number_lots(LotCells& map) {
+  map.lots.assign(map.cells.size(), 0);
+  std::uint32_t lot = 0;
+  std::vector<std::size_t> region;
+  for (std::size_t start = 0; start < map.cells.size(); ++start) {
+    if (map.lots[start] != 0) continue;
+    map.lots[start] = ++lot;
+    region.assign(1, start);
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      for (std::int64_t n = 0; n < 9; ++n) {
+        const Cell& cell = map.cells[region[i]];
+        const std::size_t next = map.find({cell.first + n / 3 - 1, cell.second + n % 3 - 1});
+        if (next == map.cells.size() || map.lots[next] != 0) continue;
+        map.lots[next] = lot;
+        region.push_back(next);
+      }
+    }
+  }
+}
+
+/// Step 1. The pieces of each lot.
+std::vector<std::vector<ExtentPiece>> lots_of(std::span<const ExtentPiece> pieces, double size) {
+  LotCells map;
+  for (const ExtentPiece& p : pieces)
+    for_each_cell(p, size, [&](const Cell& cell) { map.cells.push_back(cell); });
+  std::sort(map.cells.begin(), map.cells.end());
+  map.cells.erase(std::unique(map.cells.begin(), map.cells.end()), map.cells.end());
+  number_lots(map);
+  std::vector<std::vector<ExtentPiece>> lots;
+  for (const ExtentPiece& p : pieces) {
+    const std::size_t at = map.find({floor_to_integer(p.b0 / size), floor_to_integer(p.a0 / size)});
+    const std::uint32_t lot = map.lots[at];
+    if (lots.size() < lot) lots.resize(lot);
+    lots[lot - 1].push_back(p);
+  }
+  return lots;
+}
+
+/// Squared distance of p from the segment a b.
+double squared_distance(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b) {
+  const double da = b.a - a.a, db = b.b - a.b;
+  const double pa = p.a - a.a, pb = p.b - a.b;
+  const double size = da * da + db * db;
+  double t = size > 0 ? (pa * da + pb * db) / size : 0;
+  t = std::clamp(t, 0.0, 1.0);
+  const double ea = pa - t * da, eb = pb - t * db;
+  return ea * ea + eb * eb;
+}
+
+/// Marks what Douglas and Peucker keep between two kept points; indices may run over the end.
+void keep_between(std::span<const PlanePoint> points, std::size_t first, std::size_t last, double tolerance,
+                  std::vector<std::uint8_t>& kept) {
+  std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
+  while (!open.empty()) {
+    const auto [from, to] = open.back();
+    open.pop_back();
+    double farthest = tolerance * tolerance;
+    std::size_t at = from;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double d = squared_distance(points[i % points.size()], points[from], points[to % points.size()]);
+      if (d > farthest) {
+        farthest = d;
+        at = i;
+      }
+    }
+    if (at == from) continue;
+    kept[at % points.size()] = 1;
+    open.push_back({from, at});
+    open.push_back({at, to});
+  }
+}
+
+/// Step 6.
+std::vector<PlanePoint> simplified(std::span<const PlanePoint> loop, double tolerance) {
+  // Two points that are surely corners: the lowest left one, and the farthest from it.
+  const auto lower = [](const PlanePoint& p, const PlanePoint& q) {
+    return p.a + p.b != q.a + q.b ? p.a + p.b < q.a + q.b : p.a < q.a;
+  };
+  const auto first = std::min_element(loop.begin(), loop.end(), lower);
+  std::vector<PlanePoint> points(first, loop.end());
+  points.insert(points.end(), loop.begin(), first);
+  std::size_t far = 0;
+  double most = -1;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double d = squared_distance(points[i], points[0], points[0]);
+    if (d <= most) continue;
+    most = d;
+    far = i;
+  }
+  std::vector<std::uint8_t> kept(points.size(), 0);
+  kept[0] = kept[far] = 1;
+  keep_between(points, 0, far, tolerance, kept);
+  keep_between(points, far, points.size(), tolerance, kept);
+  std::vector<PlanePoint> left;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (kept[i] != 0) left.push_back(points[i]);
+  }
+  return left;
+}
+
+/// Steps 2 to 6 of one lot.
+void loops_of(std::span<const ExtentPiece> pieces, const ExtentOptions& options, double min_area,
+              std::vector<ExtentLoop>& loops) {
+  Raster raster = raster_for(pieces, options.cell, options.max_gap);
+  for (const ExtentPiece& piece : pieces) paint(raster, piece);
+  close_gaps(raster, options.max_gap);
+  fill_holes(raster, options.max_hole);
+  drop_islands(raster, min_area);
+  for (const CellLoop& cells : cell_borders(raster)) {
+    std::vector<PlanePoint> points;
+    for (std::size_t i = 0; i < cells.x.size(); ++i) {
+      points.push_back({raster.origin.a + cells.x[i] * raster.cell, raster.origin.b + cells.y[i] * raster.cell});
+    }
+    const bool hole = signed_area(points) < 0;
+    std::vector<PlanePoint> few = simplified(points, 2 * raster.cell);
+    // A sliver keeps its shape.
+    if (few.size() < 3 || (signed_area(few) < 0) != hole || signed_area(few) == 0) few = points;
+    const double area = signed_area(few);
+    loops.push_back({std::move(few), area});
+  }
+}
+
+}  // namespace
+
+double signed_area(std::span<const PlanePoint> loop) {
+  double sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const PlanePoint& p = loop[i];
+    const PlanePoint& q = loop[(i + 1) % loop.size()];
+    sum += (p.a - loop[0].a) * (q.b - loop[0].b) - (q.a - loop[0].a) * (p.b - loop[0].b);
+  }
+  return sum / 2;
+}
+
+std::vector<ExtentLoop> extent_loops(std::span<const ExtentPiece> pieces, const ExtentOptions& options) {
+  std::vector<ExtentPiece> good;
+  for (const ExtentPiece& p : pieces) {
+    constexpr double most = 1e6;
+    if (p.a0 > -most && p.a1 < most && p.b0 > -most && p.b1 < most && p.a0 <= p.a1 && p.b0 <= p.b1)
+      good.push_back(p);
+  }
+  std::vector<ExtentLoop> loops;
+  // Step 1.
+  const auto lots = lots_of(good, std::max(smallest_lot_cell, options.max_gap));
+  for (const auto& lot : lots) loops_of(lot, options, options.min_area, loops);
+  if (loops.empty()) {
+    for (const auto& lot : lots) loops_of(lot, options, 0, loops);
+  }
+  std::stable_sort(loops.begin(), loops.end(),
+                   [](const ExtentLoop& a, const ExtentLoop& b) { return a.area > b.area; });
+  return loops;
+}
+
+}  // namespace straightedge

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "map/plane_extent.hpp"
+
+namespace straightedge {
+
+/// A binary picture of a part of a plane. Cell (x, y) covers [x, x + 1] · cell from the origin on, its rim is
+/// never covered.
+struct Raster {
+  PlanePoint origin;
+  double cell = 0;
+  std::int32_t width = 0, height = 0;
+  std::vector<std::uint8_t> cells;
+
+  std::size_t index(std::int32_t x, std::int32_t y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
+  bool covered(std::int32_t x, std::int32_t y) const { return cells[index(x, y)] != 0; }
+};
+
+/// Empty, with room for the pieces and `margin` metres around them. At most 2^24 cells: they grow by powers
+/// of two where that is too few.
+Raster raster_for(std::span<const ExtentPiece> pieces, double cell, double margin);
+
+void paint(Raster& raster, const ExtentPiece& piece);
+
+/// Step 3 of extent_loops.
+void close_gaps(Raster& raster, double max_gap);
+
+/// Step 4. Islands hang together by sides, holes by corners too.
+void fill_holes(Raster& raster, double max_hole);
+void drop_islands(Raster& raster, double min_area);
+
+/// Step 5: the corners of every border, in cells.
+struct CellLoop {
+  std::vector<std::int32_t> x, y;
+};
+std::vector<CellLoop> cell_borders(const Raster& raster);
+
+}  // namespace straightedge
