@@ -54,7 +54,7 @@ struct FramePlanesOptions {
 ///  4. Planes are fitted anew to their cells; those that are one (chi-square in inverse depth, with a floor)
 ///     are joined, wherever in the picture they lie.
 ///  5. A plane without solid pieces (cells that touch) is a stripe along a crease and leaves. One whose solid
-///     pieces are bent (a quadratic surface fits them better by more than chance, radius below 2 m)
+///     pieces are bent (a quadratic surface fits them better by more than chance, radius below 0.6 m)
 ///     is a strip of something round: it leaves with its cells.
 ///  6. Steps 2 to 5 again on the pixels that are left over.
 ///  7. Pixels: where all cells around agree, a pixel is its plane's if it lies within the gate; elsewhere it

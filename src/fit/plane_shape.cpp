@@ -23,7 +23,7 @@ struct BendLimit {
 };
 constexpr std::array<BendLimit, 2> bend_limits{BendLimit{0.3, 1.2}, BendLimit{0.2, 1.75}};
 // Walls bend in the pictures of real sensors, though by far less.
-constexpr double largest_radius_m = 2;
+constexpr double largest_radius_m = 0.6;
 
 struct Flood {
   const DepthCells& cells;

@@ -42,13 +42,13 @@ inline std::string stored(const std::string& data) {
 
 enum Colour { gray = 0, rgb = 2, palette = 3, gray_alpha = 4, rgb_alpha = 6 };
 
-/// `rows`: the raw bytes of all rows, each led by its filter byte.
+/// `rows`: the raw bytes of all rows, each led by its filter byte; of all passes with interlace 1.
 inline std::string png(std::uint32_t width, std::uint32_t height, int depth, Colour colour,
-                       const std::string& rows, const std::string& extra_chunks = "") {
+                       const std::string& rows, const std::string& extra_chunks = "", int interlace = 0) {
   std::string header = big_endian(width) + big_endian(height);
   header += static_cast<char>(depth);
   header += static_cast<char>(colour);
-  header += std::string(3, '\0');
+  header += std::string(2, '\0') + static_cast<char>(interlace);
   return "\x89PNG\r\n\x1A\n" + chunk("IHDR", header) + extra_chunks + chunk("IDAT", stored(rows)) +
          chunk("IEND", "");
 }
