@@ -10,6 +10,7 @@
 #include "straightedge/arena.hpp"
 #include "straightedge/depth_cells.hpp"
 #include "straightedge/depth_view.hpp"
+#include "straightedge/detail/quadratic_surface.hpp"
 #include "straightedge/found_planes.hpp"
 #include "straightedge/inverse_depth.hpp"
 
@@ -107,12 +108,14 @@ class FramePlanes {
     visited_ = arena.take<std::uint16_t>(small_cells);
     list_ = arena.take<std::int32_t>(small_cells);
     candidates_ = arena.take<ProposedPlane>(options.max_planes);
+    surfaces_ = arena.take<detail::BentPlane>(options.max_planes);
+    sums_ = arena.take<detail::QuadraticSums>(options.max_planes);
     moments_ = arena.take<InverseDepthMoments>(options.max_planes);
   }
   void search_round(const DepthView& depth, const PlaneSearch& search, ImageView<std::uint16_t> labels,
                     PlanesFound& found) noexcept;
   void assign_cells() noexcept;
-  void refit() noexcept;
+  void refit(const PinholeCamera& camera) noexcept;
   /// What becomes of each plane: itself, an earlier one that it is joined into, or gone.
   using Becomes = std::array<std::uint16_t, 256>;
   void keep(const Becomes& becomes) noexcept;
@@ -131,6 +134,8 @@ class FramePlanes {
   std::span<std::uint16_t> visited_;
   std::span<std::int32_t> list_;
   std::span<ProposedPlane> candidates_;
+  std::span<detail::BentPlane> surfaces_;
+  std::span<detail::QuadraticSums> sums_;
   std::span<InverseDepthMoments> moments_;
   std::uint32_t count_ = 0;
 };

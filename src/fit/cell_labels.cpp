@@ -22,8 +22,9 @@ struct Best {
   double mean_square = 1e300;
 
   void offer(std::uint16_t plane, const InverseDepthMoments& cell,
-             std::span<const ProposedPlane> planes) noexcept {
-    const double found = squared_residuals(cell, planes[plane - 1U].fit.plane);
+             std::span<const BentPlane> planes) noexcept {
+    const double found =
+        squared_residuals(cell, planes[plane - 1U].tangent(cell.u / cell.n, cell.v / cell.n));
     if (found < mean_square) {
       mean_square = found;
       label = plane;
@@ -33,7 +34,7 @@ struct Best {
 
 /// The best of the planes of the 3x3 coarser cells around a cell.
 Best best_around(const InverseDepthMoments& cell, std::int32_t x, std::int32_t y, Size coarse,
-                 std::span<const std::uint16_t> labels, std::span<const ProposedPlane> planes) noexcept {
+                 std::span<const std::uint16_t> labels, std::span<const BentPlane> planes) noexcept {
   Best best;
   std::array<std::uint16_t, 9> tried{};
   std::size_t count = 0;
@@ -53,7 +54,7 @@ Best best_around(const InverseDepthMoments& cell, std::int32_t x, std::int32_t y
 }
 
 std::uint16_t label_of(const InverseDepthMoments& cell, const Best& around, double variance, int level,
-                       std::span<const ProposedPlane> planes) noexcept {
+                       std::span<const BentPlane> planes) noexcept {
   const double unit = cell.n * variance;
   if (around.mean_square < pure_of_neighbour[static_cast<std::size_t>(level)] * unit) return around.label;
   Best best;
@@ -63,7 +64,7 @@ std::uint16_t label_of(const InverseDepthMoments& cell, const Best& around, doub
 
 }  // namespace
 
-void label_cells(const DepthCells& cells, std::span<const ProposedPlane> planes, const PlaneGate& gate,
+void label_cells(const DepthCells& cells, std::span<const BentPlane> planes, const PlaneGate& gate,
                  const CellLabels& labels) noexcept {
   for (int level = DepthCells::levels - 1; level >= 0; --level) {
     const Size size = cells.size(level);

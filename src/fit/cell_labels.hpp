@@ -7,14 +7,15 @@
 #include <span>
 
 #include "straightedge/depth_cells.hpp"
-#include "straightedge/frame_planes.hpp"
+#include "straightedge/detail/quadratic_surface.hpp"
+#include "straightedge/plane_gate.hpp"
 
 namespace straightedge::detail {
 
 using CellLabels = std::array<std::span<std::uint16_t>, DepthCells::levels>;
 
 /// Step 3 of frame_planes.hpp: every cell of every level takes one of the planes (its index + 1) or none (0).
-void label_cells(const DepthCells& cells, std::span<const ProposedPlane> planes, const PlaneGate& gate,
+void label_cells(const DepthCells& cells, std::span<const BentPlane> planes, const PlaneGate& gate,
                  const CellLabels& labels) noexcept;
 
 }  // namespace straightedge::detail

@@ -5,14 +5,15 @@
 #include <algorithm>
 
 #include "cell_labels.hpp"
-#include "join_planes.hpp"
 #include "pixel_labels.hpp"
 #include "plane_shape.hpp"
+#include "plane_surfaces.hpp"
 
 namespace straightedge {
 namespace {
 
 constexpr std::uint32_t most_planes = 256;
+constexpr std::uint16_t gone = 0xFFFF;
 
 bool valid(const FramePlanesOptions& o) noexcept {
   return o.gate.valid() && o.max_planes >= 1 && o.max_planes <= most_planes && o.rounds >= 1 &&
@@ -65,24 +66,37 @@ Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
 
 void FramePlanes::assign_cells() noexcept {
   // Step 3.
-  detail::label_cells(cells_, candidates_.first(count_), options_.gate, cell_labels_);
+  detail::label_cells(cells_, surfaces_.first(count_), options_.gate, cell_labels_);
 }
 
-void FramePlanes::refit() noexcept {
+void FramePlanes::refit(const PinholeCamera& camera) noexcept {
   // Step 4.
-  for (std::uint32_t k = 0; k < count_; ++k) moments_[k] = {};
-  const std::span<InverseDepthMoments> cells = cells_.level(0);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (cell_labels_[0][i] != 0) moments_[cell_labels_[0][i] - 1U].add(cells[i]);
-  }
+  const detail::PlaneSurfaces fitting(size_, camera, options_);
+  fitting.sum(cells_, cell_labels_[0], sums_.first(count_));
   Becomes becomes{};
+  std::array<double, most_planes> squares{};
   for (std::uint16_t k = 0; k < count_; ++k) {
-    const bool stays =
-        moments_[k].n >= min_pixels_ / 2.0 &&
-        fit_inverse_depth(moments_[k], options_.gate.inverse_sigma, candidates_[k].fit) == Status::ok;
-    becomes[k] = stays ? k : detail::gone;
+    const bool stays = sums_[k].n >= min_pixels_ / 2.0 && fitting.fit(sums_[k], surfaces_[k], squares[k]);
+    becomes[k] = stays ? k : gone;
   }
-  detail::join_planes(candidates_.first(count_), moments_.first(count_), options_, becomes);
+  for (std::uint16_t i = 0; i < count_; ++i) {
+    if (becomes[i] != i) continue;
+    for (std::uint16_t j = i + 1U; j < count_; ++j) {
+      detail::BentPlane both;
+      double squares_both = 0;
+      if (becomes[j] != j ||
+          !fitting.are_one(sums_[i], squares[i], sums_[j], squares[j], both, squares_both)) {
+        continue;
+      }
+      surfaces_[i] = both;
+      squares[i] = squares_both;
+      sums_[i].add(sums_[j]);
+      candidates_[i].score += candidates_[j].score;
+      candidates_[i].confidence = std::max(candidates_[i].confidence, candidates_[j].confidence);
+      becomes[j] = i;
+      j = i;  // the joined plane has moved: those that were refused may fit now
+    }
+  }
   keep(becomes);
 }
 
@@ -92,9 +106,10 @@ void FramePlanes::keep(const Becomes& becomes) noexcept {
   for (std::uint32_t k = 0; k < count_; ++k) {
     if (becomes[k] == k) {
       candidates_[kept] = candidates_[k];
-      moments_[kept] = moments_[k];
+      surfaces_[kept] = surfaces_[k];
+      sums_[kept] = sums_[k];
       label[k + 1] = static_cast<std::uint16_t>(++kept);
-    } else if (becomes[k] != detail::gone) {
+    } else if (becomes[k] != gone) {
       label[k + 1] = label[becomes[k] + 1U];  // joined into an earlier plane
     }
   }
@@ -111,10 +126,9 @@ void FramePlanes::judge(const PinholeCamera& camera) noexcept {
   for (std::uint16_t k = 0; k < count_; ++k) {
     std::size_t solid = 0;
     const auto label = static_cast<std::uint16_t>(k + 1);
-    const detail::PlaneShape shape =
-        detail::plane_shape(cells_, cell_labels_[0], label, candidates_[k].fit.plane, options_, min_pixels_,
-                            camera, memory, solid);
-    becomes[k] = shape == detail::PlaneShape::flat ? k : detail::gone;
+    const detail::PlaneShape shape = detail::plane_shape(cells_, cell_labels_[0], label, surfaces_[k],
+                                                         options_, min_pixels_, camera, memory, solid);
+    becomes[k] = shape == detail::PlaneShape::flat ? k : gone;
     if (shape != detail::PlaneShape::bent) continue;
     changed = true;
     for (const std::int32_t cell : list_.first(solid)) clear_cell(cell);
@@ -139,10 +153,13 @@ void FramePlanes::search_round(const DepthView& depth, const PlaneSearch& search
   // Step 2.
   const std::span<ProposedPlane> room = candidates_.subspan(count_);
   const std::uint32_t added = search.run(search.user, inverse_depth_, labels, depth.camera, room);
-  for (std::uint32_t k = 0; k < added; ++k) found.iterations += room[k].iterations;
+  for (std::uint32_t k = 0; k < added; ++k) {
+    found.iterations = std::max(found.iterations, room[k].iterations);
+    surfaces_[count_ + k] = {.plane = room[k].fit.plane};
+  }
   count_ += added;
   assign_cells();
-  refit();
+  refit(depth.camera);
   judge(depth.camera);
 }
 
@@ -164,7 +181,7 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   // Steps 2 to 6.
   for (std::uint32_t round = 0; round < options_.rounds; ++round) {
     if (round > 0) {
-      detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], candidates_.first(count_), options_.gate,
+      detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], surfaces_.first(count_), options_.gate,
                            labels, moments_);
     }
     search_round(depth, search, labels, found);
@@ -177,7 +194,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
   // Step 7.
   assign_cells();
   judge(depth.camera);
-  detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], candidates_.first(count_), options_.gate,
+  detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], surfaces_.first(count_), options_.gate,
                        labels, moments_);
   // Step 8.
   std::array<std::uint16_t, most_planes> order{};

@@ -59,12 +59,12 @@ Mean mean_of_surface(ImageView<const float> inverse_depth, std::int32_t x, std::
   return {sum.u / n, sum.v / n, sum.q / n};
 }
 
-std::uint16_t nearest(const Mean& mean, const Around& around, std::span<const ProposedPlane> planes,
+std::uint16_t nearest(const Mean& mean, const Around& around, std::span<const BentPlane> planes,
                       double gate) noexcept {
   std::uint16_t best = 0;
   double least = gate;
   for (std::size_t k = 0; k < around.count; ++k) {
-    const double r = mean.q - planes[around.labels[k] - 1U].fit.plane.at(mean.u, mean.v);
+    const double r = mean.q - planes[around.labels[k] - 1U].at(mean.u, mean.v);
     const double distance = r < 0 ? -r : r;
     if (distance < least) {
       least = distance;
@@ -76,7 +76,7 @@ std::uint16_t nearest(const Mean& mean, const Around& around, std::span<const Pr
 
 struct Pixels {
   ImageView<const float> inverse_depth;
-  std::span<const ProposedPlane> planes;
+  std::span<const BentPlane> planes;
   const PlaneGate& gate;
   ImageView<std::uint16_t> labels;
 
@@ -114,7 +114,7 @@ struct Pixels {
 }  // namespace
 
 void label_pixels(ImageView<const float> inverse_depth, const DepthCells& cells,
-                  std::span<const std::uint16_t> cell_labels, std::span<const ProposedPlane> planes,
+                  std::span<const std::uint16_t> cell_labels, std::span<const BentPlane> planes,
                   const PlaneGate& gate, ImageView<std::uint16_t> labels,
                   std::span<InverseDepthMoments> moments) noexcept {
   for (InverseDepthMoments& m : moments) m = {};

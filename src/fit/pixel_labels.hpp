@@ -5,14 +5,16 @@
 #include <cstdint>
 #include <span>
 
-#include "straightedge/frame_planes.hpp"
+#include "straightedge/depth_cells.hpp"
+#include "straightedge/detail/quadratic_surface.hpp"
+#include "straightedge/plane_gate.hpp"
 
 namespace straightedge::detail {
 
 /// Step 7 of frame_planes.hpp: a label for every pixel from those of the cells of level 0; sums of each
 /// label's pixels on the way.
 void label_pixels(ImageView<const float> inverse_depth, const DepthCells& cells,
-                  std::span<const std::uint16_t> cell_labels, std::span<const ProposedPlane> planes,
+                  std::span<const std::uint16_t> cell_labels, std::span<const BentPlane> planes,
                   const PlaneGate& gate, ImageView<std::uint16_t> labels,
                   std::span<InverseDepthMoments> moments) noexcept;
 

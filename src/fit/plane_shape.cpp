@@ -6,6 +6,7 @@
 #include <array>
 
 #include "inverse_noise.hpp"
+#include "straightedge/detail/quadratic_surface.hpp"
 
 namespace straightedge::detail {
 namespace {
@@ -29,7 +30,7 @@ struct Flood {
   const DepthCells& cells;
   std::span<const std::uint16_t> labels;
   std::uint16_t label;
-  const InverseDepthPlane& plane;
+  const BentPlane& surface;
   const PlaneGate& gate;
   const ShapeMemory& memory;
 
@@ -38,7 +39,7 @@ struct Flood {
     const InverseDepthMoments& m = cells.level(0)[i];
     if (memory.visited[i] == label || m.n < least_readings) return false;
     const double noise = inverse_noise(gate, m.q / m.n);
-    return squared_residuals(m, plane) < on_plane * noise * noise * m.n;
+    return squared_residuals(m, surface.tangent(m.u / m.n, m.v / m.n)) < on_plane * noise * noise * m.n;
   }
   /// Appends the piece that holds `seed` to the list, which has `first` entries; returns its own cells.
   std::size_t piece(std::int32_t seed, std::size_t first, std::size_t& end) const noexcept {
@@ -69,59 +70,11 @@ struct Bend {
   double curvature = 0;  ///< largest second derivative, 1/(metre pixel²)
 };
 
-/// Sums for the least squares of a quadratic surface to the residuals of cell means from a plane.
-struct QuadraticSums {
-  static constexpr std::size_t terms = 6;
-  std::array<std::array<double, terms>, terms> normal{};
-  std::array<double, terms> right{};
-  double n = 0;
-
-  void add(double u, double v, double residual, double weight) noexcept {
-    const std::array<double, terms> f{1, u, v, u * u, u * v, v * v};
-    for (std::size_t i = 0; i < terms; ++i) {
-      right[i] += weight * f[i] * residual;
-      for (std::size_t j = 0; j <= i; ++j) normal[i][j] += weight * f[i] * f[j];
-    }
-    n += weight;
-  }
-};
-
 /// Largest absolute eigenvalue of [2a b; b 2c], the second derivatives of a uu + b uv + c vv.
 double largest_curvature(double a, double b, double c) noexcept {
   const double mean = a + c;
   const double spread = __builtin_sqrt((a - c) * (a - c) + b * b);
   return (mean < 0 ? -mean : mean) + spread;
-}
-
-/// Cholesky's decomposition, and what each term explains beyond those before it. `scale`: pixels a unit.
-Bend bend_of(QuadraticSums& s, double scale) noexcept {
-  constexpr std::size_t terms = QuadraticSums::terms;
-  std::array<double, terms> solved{};
-  for (std::size_t i = 0; i < terms; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = s.normal[i][j];
-      for (std::size_t k = 0; k < j; ++k) sum -= s.normal[i][k] * s.normal[j][k];
-      if (i != j) {
-        s.normal[i][j] = sum / s.normal[j][j];
-        continue;
-      }
-      if (!(sum > 1e-9 * s.n)) return {};  // too few cells, or all in a row
-      s.normal[i][i] = __builtin_sqrt(sum);
-    }
-    double sum = s.right[i];
-    for (std::size_t k = 0; k < i; ++k) sum -= s.normal[i][k] * solved[k];
-    solved[i] = sum / s.normal[i][i];
-  }
-  Bend bend;
-  bend.rms = __builtin_sqrt((solved[3] * solved[3] + solved[4] * solved[4] + solved[5] * solved[5]) / s.n);
-  std::array<double, terms> x{};
-  for (std::size_t i = terms; i-- > 3;) {
-    double sum = solved[i];
-    for (std::size_t k = i + 1; k < terms; ++k) sum -= s.normal[k][i] * x[k];
-    x[i] = sum / s.normal[i][i];
-  }
-  bend.curvature = largest_curvature(x[3], x[4], x[5]) / (scale * scale);
-  return bend;
 }
 
 Bend measure_bend(const DepthCells& cells, std::span<const std::int32_t> list, const InverseDepthPlane& plane,
@@ -135,17 +88,20 @@ Bend measure_bend(const DepthCells& cells, std::span<const std::int32_t> list, c
     const double u = m.u / m.n, v = m.v / m.n;
     sums.add((u - mean_u) / scale, (v - mean_v) / scale, m.q / m.n - plane.at(u, v), m.n);
   }
-  return bend_of(sums, scale);
+  QuadraticFit fit;
+  if (!fit_quadratic(sums, 0, fit)) return {};  // too few cells, or all in a row
+  return {__builtin_sqrt(fit.bend_squares / sums.n),
+          largest_curvature(fit.coefficients[3], fit.coefficients[4], fit.coefficients[5]) / (scale * scale)};
 }
 
 }  // namespace
 
 PlaneShape plane_shape(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
-                       std::uint16_t label, const InverseDepthPlane& plane, const FramePlanesOptions& options,
+                       std::uint16_t label, const BentPlane& surface, const FramePlanesOptions& options,
                        double min_pixels, const PinholeCamera& camera, const ShapeMemory& memory,
                        std::size_t& solid) noexcept {
   // Step 1.
-  const Flood flood{cells, cell_labels, label, plane, options.gate, memory};
+  const Flood flood{cells, cell_labels, label, surface, options.gate, memory};
   double all = 0, in_solid = 0;
   solid = 0;
   for (std::size_t i = 0; i < cell_labels.size(); ++i) {
@@ -164,7 +120,7 @@ PlaneShape plane_shape(const DepthCells& cells, std::span<const std::uint16_t> c
   InverseDepthMoments sum;
   for (std::size_t i = 0; i < solid; ++i) sum.add(cells.level(0)[static_cast<std::size_t>(memory.list[i])]);
   const double noise = inverse_noise(options.gate, sum.q / sum.n);
-  const Bend found = measure_bend(cells, memory.list.first(solid), plane, sum);
+  const Bend found = measure_bend(cells, memory.list.first(solid), surface.plane, sum);
   const double bend = found.rms / noise;
   const double significance = bend * __builtin_sqrt(sum.n / (3 * options.noise_pixels));
   // A sphere or cylinder of radius r has second derivative 1/(r f²) in 1/z, at any distance.

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "straightedge/depth_cells.hpp"
+#include "straightedge/detail/quadratic_surface.hpp"
 #include "straightedge/frame_planes.hpp"
 
 namespace straightedge::detail {
@@ -32,7 +33,7 @@ struct ShapeMemory {
 /// decomposition; the last
 ///    three terms' share is the bend.
 PlaneShape plane_shape(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
-                       std::uint16_t label, const InverseDepthPlane& plane, const FramePlanesOptions& options,
+                       std::uint16_t label, const BentPlane& surface, const FramePlanesOptions& options,
                        double min_pixels, const PinholeCamera& camera, const ShapeMemory& memory,
                        std::size_t& solid) noexcept;
 

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "straightedge/depth_cells.hpp"
+#include "straightedge/detail/quadratic_surface.hpp"
+#include "straightedge/frame_planes.hpp"
+
+namespace straightedge::detail {
+
+/// Step 4 of frame_planes.hpp.
+///
+/// Real sensors picture a wall slightly bent, so that its halves fit two planes better than one. Each plane
+/// therefore is a quadratic surface whose bend is held back by a prior (a ridge): a wall may sag by a few
+/// deviations of the noise over the whole picture, and a small face stays flat.
+class PlaneSurfaces {
+ public:
+  PlaneSurfaces(Size picture, const PinholeCamera& camera, const FramePlanesOptions& options) noexcept;
+
+  /// Sums of each plane's own cells of level 0.
+  void sum(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
+           std::span<QuadraticSums> sums) const noexcept;
+  /// The surface of the sums; `squares` is what is left. False when there are too few cells.
+  bool fit(const QuadraticSums& sums, BentPlane& surface, double& squares) const noexcept;
+  /// Whether two planes are one: what it costs, in squared residuals, that both have one surface instead of
+  /// their own.
+  bool are_one(const QuadraticSums& a, double squares_a, const QuadraticSums& b, double squares_b,
+               BentPlane& surface, double& squares) const noexcept;
+
+ private:
+  double ridge(double variance) const noexcept;
+
+  double u0_, v0_, scale_;  // samples are taken about the picture's middle, in halves of its width
+  double focal_square_;
+  const FramePlanesOptions& options_;
+};
+
+}  // namespace straightedge::detail

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "straightedge/detail/quadratic_surface.hpp"
+
+namespace straightedge::detail {
+namespace {
+
+constexpr std::size_t terms = QuadraticSums::terms;
+
+constexpr std::size_t place(std::size_t row, std::size_t column) noexcept {
+  return row * (row + 1) / 2 + column;
+}
+
+/// Lower triangle of the decomposition, in place. False for a matrix that is not positive definite.
+bool decompose(std::array<double, terms*(terms + 1) / 2>& m) noexcept {
+  for (std::size_t i = 0; i < terms; ++i) {
+    const double before = m[place(i, i)];
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = m[place(i, j)];
+      for (std::size_t k = 0; k < j; ++k) sum -= m[place(i, k)] * m[place(j, k)];
+      if (i != j) {
+        m[place(i, j)] = sum / m[place(j, j)];
+      } else {
+        if (!(sum > 1e-12 * before)) return false;  // what is left is rounding
+        m[place(i, i)] = __builtin_sqrt(sum);
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void QuadraticSums::add(double x, double y, double q, double weight) noexcept {
+  const std::array<double, terms> f{1, x, y, x * x, x * y, y * y};
+  for (std::size_t i = 0; i < terms; ++i) {
+    const double weighted = weight * f[i];
+    for (std::size_t j = 0; j <= i; ++j) normal[place(i, j)] += weighted * f[j];
+    right[i] += weighted * q;
+  }
+  qq += weight * q * q;
+  n += weight;
+}
+
+void QuadraticSums::add(const QuadraticSums& other) noexcept {
+  for (std::size_t i = 0; i < normal.size(); ++i) normal[i] += other.normal[i];
+  for (std::size_t i = 0; i < terms; ++i) right[i] += other.right[i];
+  qq += other.qq;
+  n += other.n;
+}
+
+bool fit_quadratic(const QuadraticSums& sums, double ridge, QuadraticFit& fit) noexcept {
+  auto lower = sums.normal;
+  for (std::size_t i = 3; i < terms; ++i) lower[place(i, i)] += ridge;
+  if (!(sums.n > 0) || !decompose(lower)) return false;
+  std::array<double, terms> solved{};
+  double explained = 0;
+  fit.bend_squares = 0;
+  for (std::size_t i = 0; i < terms; ++i) {
+    double sum = sums.right[i];
+    for (std::size_t k = 0; k < i; ++k) sum -= lower[place(i, k)] * solved[k];
+    solved[i] = sum / lower[place(i, i)];
+    explained += solved[i] * solved[i];
+    if (i >= 3) fit.bend_squares += solved[i] * solved[i];
+  }
+  for (std::size_t i = terms; i-- > 0;) {
+    double sum = solved[i];
+    for (std::size_t k = i + 1; k < terms; ++k) sum -= lower[place(k, i)] * fit.coefficients[k];
+    fit.coefficients[i] = sum / lower[place(i, i)];
+  }
+  fit.squares = sums.qq > explained ? sums.qq - explained : 0;
+  return true;
+}
+
+}  // namespace straightedge::detail
