@@ -85,15 +85,16 @@ struct InverseDepthFit {
 /// 1. Means of u, v, q; second moments about them.
 /// 2. Slopes (a, b) from the 2x2 normal equations, c from the means.
 /// 3. Covariance sigma² A⁻¹ of (a, b, c), sigma being the noise of one pixel's 1/z. Real sensors' noise is
-///    shared by neighbours: the caller passes a sigma that is enlarged for it (noise_inflation below).
+///    shared by neighbours: pass a sigma that is enlarged for it, or add a floor (plane_fit.hpp).
 ///
 /// The moments' origin must be pixel (0, 0). invalid_option: fewer than three pixels, all on one line of
-/// the picture, or sums that are not numbers.
+/// the picture, sums that are not numbers, or a sigma that is not above 0. `fit` is left alone then.
 Status fit_inverse_depth(const InverseDepthMoments& moments, double sigma, InverseDepthFit& fit) noexcept;
 
 /// The plane in the camera's frame, with its covariance by linear propagation. `centroid` of the result is
 /// where the ray of the mean pixel meets the plane; `weight` n/sigma_z² there. invalid_option: a plane
-/// through the optical centre, which no camera sees, or numbers that are not finite.
+/// through the optical centre or behind the camera, which no camera sees, or numbers that are not finite;
+/// `plane` is left alone then.
 Status to_plane_fit(const InverseDepthFit& fit, double sigma, const PinholeCamera& camera,
                     PlaneFit& plane) noexcept;
 
@@ -101,7 +102,9 @@ Status to_plane_fit(const InverseDepthFit& fit, double sigma, const PinholeCamer
 /// three zeros.
 InverseDepthPlane to_inverse_depth(const Plane& plane, const PinholeCamera& camera) noexcept;
 
-/// 1/z of every pixel, 0 where there is no reading. Row by row; `out` has the size of `depth.raw`.
+/// 1/z of every pixel, 0 where there is no reading: float(1/metres_per_unit) / raw, rounded once. Row by row;
+/// `out` has the size of `depth.raw`, else size_mismatch. invalid_image: a view or camera that makes no
+/// sense. invalid_option: metres_per_unit outside 1e-38 to 1e30, which a float cannot follow.
 Status inverse_depth_image(const DepthView& depth, ImageView<float> out) noexcept;
 
 }  // namespace straightedge

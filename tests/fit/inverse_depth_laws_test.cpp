@@ -109,13 +109,13 @@ TEST_CASE("the fit in inverse depth is at least one and a half times as exact as
   CHECK(errors.inverse_nees < 3.5);
 }
 
-TEST_CASE("at each range and tilt from 2 m on the fit in inverse depth is the better one") {
+TEST_CASE("facing a wall both fits are alike, at every tilt the one in inverse depth is better") {
   for (const double z : {2.0, 2.75, 3.5}) {
     for (const double tilt : {0.0, 15.0, 30.0, 45.0, 60.0}) {
       const Errors errors = table_row(z, tilt, 100);
       INFO("at " << z << " m, tilt " << tilt << " degrees: orthogonal " << errors.orthogonal_degrees
                  << ", in inverse depth " << errors.inverse_degrees << " degrees");
-      CHECK(errors.ratio() > 1);
+      CHECK(errors.ratio() > (tilt > 0 ? 1.15 : 0.97));
       CHECK(errors.inverse_nees > 1.8);
       CHECK(errors.inverse_nees < 4.2);
     }

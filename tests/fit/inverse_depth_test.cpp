@@ -251,3 +251,14 @@ TEST_CASE("bad depth frames are refused") {
   }
   CHECK(inverse_depth_image({raw.view(), 0.001, {0, 525, 0, 0}}, out.view()) == Status::invalid_image);
 }
+
+TEST_CASE("the floor in inverse depth, by hand") {
+  const PinholeCamera camera{525, 525, 319.5, 239.5};
+  const InverseDepthPlane floor = to_inverse_depth({{0, 1, 0}, 1.2}, camera);
+  CHECK(floor.a == 0);
+  CHECK(floor.b == Approx(1 / 630.0));
+  CHECK(floor.c == Approx(-239.5 / 630));
+  CHECK(1 / floor.at(0, 479) == Approx(2.63).epsilon(0.001));
+  CHECK(1 / floor.at(600, 300) == Approx(10.4).epsilon(0.002));
+  CHECK(floor.at(300, 239.5) == Approx(0).margin(1e-15));
+}
