@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "straightedge/morton.hpp"
+#include "straightedge/octree_node.hpp"
 #include "straightedge/status.hpp"
 
 /// The nodes of a linear octree: one array, no pointers, built from sorted Morton codes.
@@ -30,30 +30,6 @@
 ///
 /// Time: codes plus leaves. Memory: 32 bytes a leaf, the caller's.
 namespace straightedge {
-
-struct OctreeNode {
-  std::uint64_t key = 0;  ///< the digit 1, then three bits for each level from the root down to the node
-  std::uint32_t first =
-      0;  ///< place of its first point (or code) in sorted order; it ends where `next` begins
-  std::uint32_t next = 0;  ///< the node after its last descendant; for a leaf the node after it
-
-  constexpr int level() const noexcept { return std::countl_zero(key) / 3; }  ///< 0 = leaf to 21 = root
-  /// The first leaf code that can lie in it.
-  constexpr std::uint64_t code() const noexcept {
-    return (key << static_cast<unsigned>(std::countl_zero(key))) & (morton_codes - 1);
-  }
-  static constexpr std::uint64_t key_of(std::uint64_t code, int level) noexcept {
-    return (code | morton_codes) >> static_cast<unsigned>(3 * level);
-  }
-};
-
-/// What a node of any level holds, whether it is in the array or left out as the only child of its parent.
-struct OctreeCell {
-  std::uint64_t code = 0;   ///< the node's first
-  int level = 0;            ///< 0 = leaf to 21 = everything
-  std::uint32_t first = 0;  ///< place of its first point
-  std::uint32_t count = 0;  ///< its points; 0 = there is no such node
-};
 
 /// Which neighbours of a leaf: those that share a face (6), at least an edge (18), at least a corner (26).
 enum class OctreeAdjacency : std::uint8_t { faces = 1, edges = 2, corners = 3 };

@@ -102,12 +102,14 @@ OctreeNodes OctreeNodes::link(std::span<OctreeNode> memory, std::uint32_t leaves
     const int parting = i == 0 ? morton_levels + 1 : morton_common_level(memory[i - 1].code(), leaf.code());
 
     // Step 3
-    memory[--place] = {leaf.key, leaf.first, place + 1};
+    --place;
+    memory[place] = {leaf.key, leaf.first, place + 1};
     while (open.any_below(parting)) {
       int level = 0;
       std::uint32_t subtree_end = 0;
       open.pop(level, subtree_end);
-      memory[--place] = {OctreeNode::key_of(leaf.code(), level), leaf.first, subtree_end};
+      --place;
+      memory[place] = {OctreeNode::key_of(leaf.code(), level), leaf.first, subtree_end};
     }
     if (i > 0) open.part(parting, place);
   }
