@@ -31,7 +31,8 @@ class HoughAccumulator {
   /// Direction cells times distance cells; 0 when an option is out of range or there are more than 2^28.
   static constexpr std::size_t cell_count(const HoughAccumulatorOptions& options) noexcept {
     if (options.distances < 1 || options.distances > 65536) return 0;
-    const auto directions = static_cast<std::size_t>(HoughDirections::cell_count(options.cells, options.rows));
+    const auto directions =
+        static_cast<std::size_t>(HoughDirections::cell_count(options.cells, options.rows));
     const std::size_t cells = directions * static_cast<std::size_t>(options.distances);
     return cells > (std::size_t{1} << 28U) ? 0 : cells;
   }

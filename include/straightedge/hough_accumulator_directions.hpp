@@ -71,9 +71,7 @@ class HoughDirections {
   /// The cell of a unit vector.
   std::int32_t cell(const Vector3& direction) const noexcept;
   /// The middle of its azimuths and of its polar angles; of the ball's polar cells the pole.
-  const Vector3& centre(std::int32_t cell) const noexcept {
-    return centres_[static_cast<std::size_t>(cell)];
-  }
+  const Vector3& centre(std::int32_t cell) const noexcept { return centres_[static_cast<std::size_t>(cell)]; }
   std::int32_t antipode(std::int32_t cell) const noexcept;
   std::int32_t row_of(std::int32_t cell) const noexcept;
   /// Steradians; all cells together have 4 pi.
@@ -91,7 +89,8 @@ class HoughDirections {
     }
   }
 
-  /// `visit(cell)` for all cells that come within `angle_rad` (below pi / 2) of the direction, and a few more.
+  /// `visit(cell)` for all cells that come within `angle_rad` (below pi / 2) of the direction, and a few
+  /// more.
   template <class Visit>
   void for_near(const Vector3& direction, double angle_rad, Visit&& visit) const noexcept {
     const Near near = near_of(direction, angle_rad);

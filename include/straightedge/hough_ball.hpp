@@ -11,7 +11,8 @@ namespace straightedge {
 /// Direction cells of the ball: rows about one cell high, and in each row as many cells as follow
 /// sin(phi), so that all cells are nearly squares of one size and no direction is favoured.
 ///
-///   1. Each pole is a round cell of its own. With h the height of a row, its radius is to be h / sqrt(pi), the
+///   1. Each pole is a round cell of its own. With h the height of a row, its radius is to be h / sqrt(pi),
+///   the
 ///      area h²; so (rows − 2) h + 2 h / sqrt(pi) = pi.
 ///   2. A row whose middle has the polar angle phi gets pi sin(phi) / h cells, rounded, times two: an even
 ///      number, so that every cell has an antipode.

@@ -2,117 +2,127 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "straightedge/arena.hpp"
 #include "straightedge/depth_view.hpp"
-#include "straightedge/hough_accumulator.hpp"
 #include "straightedge/hough_plane_patch.hpp"
 #include "straightedge/hough_plane_peaks.hpp"
+#include "straightedge/hough_plane_trace.hpp"
 #include "straightedge/image.hpp"
-#include "straightedge/inverse_depth.hpp"
 #include "straightedge/plane_gate.hpp"
-#include "straightedge/status.hpp"
 
 namespace straightedge {
 
-struct HoughPatchOptions {
-  HoughAccumulatorOptions accumulator;
-  double max_distance_m = 8;           ///< of planes from the camera, (0, 1e6]; farther ones share a cell
-  std::int32_t largest_patch = 64;     ///< pixels: 8, 16, 32 or 64
-  double shared_noise_pixels = 16;     ///< neighbours that share their noise, [1, 1000]; 1: independent
-  double max_spread_rad = 0.35;        ///< patches that know their normal less well do not vote, (0, 1]
-  double warp_sigmas = 0.5;            ///< bumps of the depth that neighbours share, in units of the gate's sigma, [0, 10]
-  double bend_rad = 0.05;              ///< what they do to a patch's normal, [0, 0.5]
-  std::uint32_t min_pixels = 300;      ///< a candidate's patches have at least so many readings
-  std::int32_t max_candidates = 64;    ///< [1, 1024]
-  std::int32_t rounds = 3;             ///< votings; each after the first by what is left, [1, 16]
+namespace detail {
 
-  constexpr bool operator==(const HoughPatchOptions&) const noexcept = default;
+struct HoughPatchMemory {
+  std::array<std::span<InverseDepthMoments>, 4> levels;  ///< squares of 8, 16, 32, 64 pixels
+  std::span<HoughPatch> patches;
+  std::span<HoughPlanePeak> peaks;
+  std::span<HoughPlaneCandidate> candidates;
+  HoughAccumulator accumulator;
+
+  static constexpr std::size_t squares(Size size, std::int32_t side) noexcept {
+    return static_cast<std::size_t>((size.width + side - 1) / side) *
+           static_cast<std::size_t>((size.height + side - 1) / side);
+  }
+  constexpr void take(Arena& arena, Size size, const HoughPatchOptions& options) noexcept {
+    std::int32_t side = hough_patch_side;
+    for (auto& level : levels) {
+      level = arena.take<InverseDepthMoments>(squares(size, side));
+      side *= 2;
+    }
+    patches = arena.take<HoughPatch>(squares(size, hough_patch_side));
+    peaks = arena.take<HoughPlanePeak>(2 * static_cast<std::size_t>(options.max_candidates));
+    candidates = arena.take<HoughPlaneCandidate>(static_cast<std::size_t>(options.max_candidates));
+    accumulator.take(arena, options.accumulator);
+  }
 };
 
-/// A plane that many patches share.
-struct HoughPlaneCandidate {
-  InverseDepthFit fit;         ///< to the readings of its patches
-  std::uint32_t votes = 0;     ///< of the accumulator's cell that led to it
-  std::uint32_t pixels = 0;    ///< readings of its patches
-  std::uint32_t patches = 0;
-};
+}  // namespace detail
 
-struct HoughPatchResult {
-  Status status = Status::not_prepared;
-  std::uint32_t candidates = 0;  ///< written
-  std::uint32_t readings = 0;
-  std::uint32_t patches = 0;
-  std::uint32_t votes = 0;  ///< cast by patches, all rounds
-};
-
-/// Votes of one patch count 64 a reading.
-inline constexpr std::uint32_t hough_patch_vote = 64;
-/// Side of the smallest patch, pixels.
-inline constexpr std::int32_t hough_patch_side = 8;
-
+/// Planes of a depth picture by votes of its patches: a few hundred voters in place of 300 000, and each
+/// knows how well it knows its plane.
+///
+///   1. Sums of 1/z, u, v and their products over squares of 8 pixels, in one pass; four squares add up to
+///   one of
+///      16, these to 32 and 64 pixels.
+///   2. Patches: from the largest square down, a square whose readings lie on a plane 1/z = a u + b v + c
+///   within
+///      their noise is a patch; one that does not is cut into four. The residual must not exceed the noise,
+///      nor may the mean residuals of its parts, which a crease or a curve moves together.
+///   3. Votes. Of a patch at point p the normal's covariance follows from that of (a, b). It votes for the
+///      direction cells around its normal, each weighted by (1 − r²/6)², r the distance in standard
+///      deviations (enlarged by the cell size); with direction n goes the distance n·p. The weights add up to
+///      64 for each reading. Patches that know their normal less well than max_spread_rad do not vote.
+///   4. Peaks of the accumulator (hough_plane_peaks.hpp), most votes first.
+///   5. Growth. The largest free patch near the peak is the seed. The plane of the patches so far takes
+///      in those that agree with it: the chi-square of mean and slopes, both uncertainties counted, is at
+///      most 16, the mean within the gate, and the plane is known there to one sigma (near the peak to
+///      three). Fit, and again, until nothing changes. Fewer readings than min_pixels: no candidate, and the
+///      seed votes no more.
+///   6. Steps 3 to 5 again by the patches that no candidate took, `rounds` times in all: what was hidden
+///   beside
+///      a higher peak stands alone now.
+///   7. A candidate whose readings the planes with more readings explain about as well, each by the nearest
+///   of
+///      them, leaves: patches across a crease look like a chamfer.
+///
+/// A pixel whose mask is not 0 does not take part. `candidates` gets the planes with most readings first.
+/// A fit's covariance counts in shared_noise_pixels.
+///
+/// F. A. Limberger, M. M. Oliveira, "Real-time detection of planar regions in unorganized point clouds",
+/// Pattern Recognition 48(6), 2015, doi:10.1016/j.patcog.2014.12.020; E. Vera, D. Lucio, L. A. F. Fernandes,
+/// L. Velho, "Hough Transform for real-time plane detection in depth images", Pattern Recognition
+/// Letters 103, 2018, doi:10.1016/j.patrec.2017.11.019. There the kernel lives in (theta, phi, rho); here
+/// noise is in 1/z, and the kernel in the tangents of the normal, where no pole is.
+///
+/// Time: one pass over the pixels, then patches times the cells of their kernels. Votes are integers, so
+/// that no order matters. Memory: 6.3 bytes a pixel and the accumulator.
+///
+/// Bad input: invalid_image (null views, a camera that is none), size_mismatch (another size than in
+/// `prepare`), invalid_option (the gate), not_prepared. A picture without readings or planes gives an empty
+/// result. More candidates than fit: output_full, the first ones written.
 class HoughPatchSearch {
  public:
-  static constexpr bool valid(const HoughPatchOptions& o) noexcept {
-    const bool sizes = o.largest_patch == 8 || o.largest_patch == 16 || o.largest_patch == 32 || o.largest_patch == 64;
-    return HoughAccumulator::cell_count(o.accumulator) > 0 && o.max_distance_m > 0 && o.max_distance_m <= 1e6 &&
-           sizes && o.shared_noise_pixels >= 1 && o.shared_noise_pixels <= 1000 && o.max_spread_rad > 0 &&
-           o.max_spread_rad <= 1 && o.max_candidates >= 1 && o.max_candidates <= 1024 && o.rounds >= 1 &&
-           o.rounds <= 16;
-  }
-
+  /// Bytes that `prepare` needs; 0 when size or options are invalid, a side is above 32767 or there are more
+  /// than 2^27 pixels (too_large).
   static constexpr std::size_t workspace_bytes(Size size, const HoughPatchOptions& options) noexcept {
-    if (!valid(options) || !fits(size)) return 0;
+    if (!detail::valid(options) || !fits(size)) return 0;
     Arena arena = Arena::measure();
-    Memory memory;
+    detail::HoughPatchMemory memory;
     memory.take(arena, size, options);
     return arena.failed() ? 0 : arena.used();
   }
 
+  /// After a failure `search` is not prepared.
   static Status prepare(HoughPatchSearch& search, Size size, const HoughPatchOptions& options,
                         std::span<std::byte> workspace) noexcept;
 
-  HoughPatchResult run(ImageView<const float> inverse_depth, const PinholeCamera& camera, const PlaneGate& gate,
-                       ImageView<const std::uint16_t> mask, std::span<HoughPlaneCandidate> candidates) noexcept;
+  /// `inverse_depth` as of inverse_depth_image; `mask` may be null.
+  HoughPatchResult run(ImageView<const float> inverse_depth, const PinholeCamera& camera,
+                       const PlaneGate& gate, ImageView<const std::uint16_t> mask,
+                       std::span<HoughPlaneCandidate> candidates, HoughPlaneTrace trace = {}) noexcept;
+
+  // What the last `run` left behind.
 
   std::span<const HoughPatch> patches() const noexcept { return memory_.patches.first(patches_); }
+  /// Votes of the last round that had any.
   const HoughAccumulator& accumulator() const noexcept { return memory_.accumulator; }
-
-  struct Memory {
-    std::span<InverseDepthMoments> levels[4];
-    std::span<HoughPatch> patches;
-    std::span<HoughPlanePeak> peaks;
-    std::span<HoughPlaneCandidate> candidates;
-    HoughAccumulator accumulator;
-
-    constexpr void take(Arena& arena, Size size, const HoughPatchOptions& options) noexcept {
-      std::int32_t side = hough_patch_side;
-      for (auto& level : levels) {
-        level = arena.take<InverseDepthMoments>(cells(size, side));
-        side *= 2;
-      }
-      patches = arena.take<HoughPatch>(cells(size, hough_patch_side));
-      peaks = arena.take<HoughPlanePeak>(2 * static_cast<std::size_t>(options.max_candidates));
-      candidates = arena.take<HoughPlaneCandidate>(static_cast<std::size_t>(options.max_candidates));
-      accumulator.take(arena, options.accumulator);
-    }
-    static constexpr std::size_t cells(Size size, std::int32_t side) noexcept {
-      return static_cast<std::size_t>((size.width + side - 1) / side) *
-             static_cast<std::size_t>((size.height + side - 1) / side);
-    }
-  };
 
  private:
   static constexpr bool fits(Size size) noexcept {
-    return size.width > 0 && size.height > 0 && size.width <= 32767 && size.height <= 32767;
+    return size.width > 0 && size.height > 0 && size.width <= 32767 && size.height <= 32767 &&
+           std::int64_t{size.width} * size.height <= (1 << 27);
   }
 
   Size size_;
   HoughPatchOptions options_;
-  Memory memory_;
+  detail::HoughPatchMemory memory_;
   std::size_t patches_ = 0;
 };
 

@@ -59,11 +59,15 @@ CellPixels pixels_of(const DepthInput& input, std::int32_t x0, std::int32_t y0,
     return {picture.row(y0) + x0, picture.stride / static_cast<std::ptrdiff_t>(sizeof(float)), side};
   }
   copy = {};
-  for (std::int32_t v = 0; v < side && y0 + v < picture.height; ++v) {
-    for (std::int32_t u = 0; u < side && x0 + u < picture.width; ++u) {
-      if (is_reading(input, x0 + u, y0 + v)) {
-        copy[static_cast<std::size_t>(v * side + u)] = picture.at(x0 + u, y0 + v);
-      }
+  const std::int32_t columns = x0 + side < picture.width ? side : picture.width - x0;
+  const std::int32_t rows = y0 + side < picture.height ? side : picture.height - y0;
+  for (std::int32_t v = 0; v < rows; ++v) {
+    const float* from = picture.row(y0 + v) + x0;
+    float* to = copy.data() + v * side;
+    const std::uint16_t* mask = input.mask.data == nullptr ? nullptr : input.mask.row(y0 + v) + x0;
+    for (std::int32_t u = 0; u < columns; ++u) {
+      const std::int32_t free = -static_cast<std::int32_t>(mask == nullptr || mask[u] == 0);
+      to[u] = std::bit_cast<float>(std::bit_cast<std::int32_t>(from[u]) & free);
     }
   }
   return {copy.data(), side, side};
@@ -82,8 +86,9 @@ float reference_of(const CellPixels& cell) noexcept {
 }
 
 /// No branch and no comparison of floats in the loop, so that a compiler takes several columns at a time:
-/// the bits of floats above 0, read as integers, have the floats' order, and those of NaN and of negative floats lie
-/// outside the range. Kept out of its caller, where compilers would take the sums apart into single columns.
+/// the bits of floats above 0, read as integers, have the floats' order, and those of NaN and of negative
+/// floats lie outside the range. Kept out of its caller, where compilers would take the sums apart into
+/// single columns.
 [[gnu::noinline]] ColumnSums sum_rows(const CellPixels& cell, float reference) noexcept {
   constexpr auto farthest = std::bit_cast<std::int32_t>(largest_reading);
   ColumnSums sums;

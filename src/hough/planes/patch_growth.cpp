@@ -7,78 +7,108 @@
 namespace straightedge::hough {
 namespace {
 
-constexpr int growth_rounds = 10;
+constexpr int most_rounds = 10;
+// Chi-square with three degrees of freedom: one patch of a plane in a thousand is lost.
+constexpr double most_distance = 16;
+// How well a plane must be known where it takes in a patch, standard deviations of a reading.
+constexpr double known_sigmas = 1;
+constexpr double known_sigmas_near_peak = 3;
 
-bool near_peak(const HoughPatch& patch, const Plane& peak, double step_m) noexcept {
-  const double off = dot(peak.normal, patch.point) - peak.distance;
-  return off <= step_m && off >= -step_m && kernel_distance(patch, peak.normal) < vote_reach_squared;
+/// The sums of some patches.
+struct PatchSum {
+  InverseDepthMoments moments;
+  std::uint32_t patches = 0;
+
+  void add(const HoughPatch& patch) noexcept {
+    moments.add(patch.moments);
+    ++patches;
+  }
+};
+
+bool near_peak(const PatchScene& scene, const HoughPatch& patch, const Plane& peak) noexcept {
+  // A plane near the camera may stand in the accumulator with its normal turned round.
+  const bool turned = dot(peak.normal, patch.space.normal) < 0;
+  const Vector3 normal = turned ? -peak.normal : peak.normal;
+  const double off = dot(normal, patch.point) - (turned ? -peak.distance : peak.distance);
+  return off <= scene.step_m && off >= -scene.step_m && kernel_distance(patch, normal) < vote_reach_squared;
 }
 
-HoughPatch* find_seed(std::span<HoughPatch> patches, const Plane& peak, double step_m) noexcept {
+HoughPatch* find_seed(const PatchScene& scene, std::span<HoughPatch> patches, const Plane& peak) noexcept {
   HoughPatch* best = nullptr;
   for (HoughPatch& patch : patches) {
     if (patch.candidate != 0 || !patch.votes) continue;
     if (best != nullptr && patch.moments.n <= best->moments.n) continue;
-    if (near_peak(patch, peak, step_m)) best = &patch;
+    if (near_peak(scene, patch, peak)) best = &patch;
   }
   return best;
 }
 
-}  // namespace
-
-double patch_distance(const PatchScene& scene, const HoughPatch& patch, const InverseDepthFit& fit, double known_sigmas) noexcept {
-  const auto& [aa, ab, ac, bb, bc, cc] = fit.covariance;
-  const double u = patch.mean_u, v = patch.mean_v;
-  const double off = fit.plane.at(u, v) - patch.mean_q;
-  const double predicted = u * (aa * u + 2 * (ab * v + ac)) + v * (bb * v + 2 * bc) + cc;
-  const double variance = patch.noise / patch.moments.n + predicted;
-  const double sigma = scene.sigma(patch.mean_q);
-  const double gate = scene.gate.sigmas * sigma;
-  if (!(off * off <= gate * gate) || !(predicted <= known_sigmas * known_sigmas * sigma * sigma)) return 1e9;
+/// Chi-square of the slopes' difference, both errors and the bumps of the depth counted.
+double slope_distance(const PatchScene& scene, const HoughPatch& patch, const InverseDepthFit& fit) noexcept {
   const double da = fit.plane.a - patch.plane.a, db = fit.plane.b - patch.plane.b;
-  const double bent_a = scene.options.bend_rad / (patch.space.distance * scene.camera.fx);
-  const double bent_b = scene.options.bend_rad / (patch.space.distance * scene.camera.fy);
-  const double saa = aa + patch.slope_covariance[0] + bent_a * bent_a, sab = ab + patch.slope_covariance[1],
-               sbb = bb + patch.slope_covariance[2] + bent_b * bent_b;
-  const double determinant = saa * sbb - sab * sab;
-  const double slopes = (da * da * sbb - 2 * da * db * sab + db * db * saa) / determinant;
+  const double bend = scene.options.bend_rad / patch.space.distance;
+  const double bent_a = bend / scene.camera.fx, bent_b = bend / scene.camera.fy;
+  const double aa = fit.covariance[0] + patch.slope_covariance[0] + bent_a * bent_a;
+  const double ab = fit.covariance[1] + patch.slope_covariance[1];
+  const double bb = fit.covariance[3] + patch.slope_covariance[2] + bent_b * bent_b;
+  return (da * da * bb - 2 * da * db * ab + db * db * aa) / (aa * bb - ab * ab);
+}
+
+bool agrees(const PatchScene& scene, const HoughPatch& patch, const InverseDepthFit& fit,
+            double most_known) noexcept {
+  const double u = patch.mean_u, v = patch.mean_v;
+  const double sigma = scene.sigma(patch.mean_q);
+  const double off = fit.plane.at(u, v) - patch.mean_q;
+  const double gate = scene.gate.sigmas * sigma;
+  if (!(off * off <= gate * gate)) return false;
+  const auto& [aa, ab, ac, bb, bc, cc] = fit.covariance;
+  const double known = u * (aa * u + 2 * (ab * v + ac)) + v * (bb * v + 2 * bc) + cc;
+  if (!(known <= most_known * most_known * sigma * sigma)) return false;
   const double warp = scene.options.warp_sigmas * sigma;
-  return off * off / (variance + warp * warp) + slopes;
+  const double mean = off * off / (patch.noise / patch.moments.n + known + warp * warp);
+  return mean + slope_distance(scene, patch, fit) <= most_distance;
 }
 
-bool fit_sum(const PatchScene& scene, const PatchSum& sum, InverseDepthFit& fit) noexcept {
-  const double q = sum.moments.q / sum.moments.n;
-  const double sigma = scene.sigma(q) * __builtin_sqrt(scene.options.shared_noise_pixels);
-  return fit_inverse_depth(sum.moments, sigma, fit) == Status::ok;
+bool fit_sum(const PatchScene& scene, const InverseDepthMoments& sum, InverseDepthFit& fit) noexcept {
+  const double sigma = scene.sigma(sum.q / sum.n) * __builtin_sqrt(scene.options.shared_noise_pixels);
+  return fit_inverse_depth(sum, sigma, fit) == Status::ok;
 }
 
-bool grow(const PatchScene& scene, const Plane& peak, double step_m, std::span<HoughPatch> patches,
-          std::uint16_t number, HoughPlaneCandidate& candidate) noexcept {
-  HoughPatch* seed = find_seed(patches, peak, step_m);
-  if (seed == nullptr) return false;
+/// From the seed's plane to that of all patches that agree.
+PatchSum grow_from(const PatchScene& scene, const HoughPatch& seed, const Plane& peak,
+                   std::span<const HoughPatch> patches) noexcept {
   PatchSum sum;
-  sum.add(*seed);
-  for (int round = 0; round < growth_rounds; ++round) {
-    if (!fit_sum(scene, sum, candidate.fit)) break;
+  sum.add(seed);
+  for (int round = 0; round < most_rounds; ++round) {
+    InverseDepthFit fit;
+    if (!fit_sum(scene, sum.moments, fit)) break;
     PatchSum next;
     for (const HoughPatch& patch : patches) {
       if (patch.candidate != 0) continue;
-      const double known = near_peak(patch, peak, step_m) ? 3 : 1;
-      if (patch_distance(scene, patch, candidate.fit, known) <= patch_limit) next.add(patch);
+      const double known = near_peak(scene, patch, peak) ? known_sigmas_near_peak : known_sigmas;
+      if (agrees(scene, patch, fit, known)) next.add(patch);
     }
-    if (next.patches == 0 || (next.patches == sum.patches && next.pixels == sum.pixels)) break;
+    if (next.patches == 0 || (next.patches == sum.patches && next.moments.n == sum.moments.n)) break;
     sum = next;
   }
-  if (sum.pixels < scene.options.min_pixels || !fit_sum(scene, sum, candidate.fit)) {
+  return sum;
+}
+
+}  // namespace
+
+bool grow(const PatchScene& scene, const Plane& peak, std::span<HoughPatch> patches, std::uint16_t number,
+          HoughPlaneCandidate& candidate) noexcept {
+  HoughPatch* seed = find_seed(scene, patches, peak);
+  if (seed == nullptr) return false;
+  const PatchSum sum = grow_from(scene, *seed, peak, patches);
+  if (sum.moments.n < scene.options.min_pixels || !fit_sum(scene, sum.moments, candidate.fit)) {
     seed->votes = false;
     return false;
   }
-  candidate.pixels = static_cast<std::uint32_t>(sum.pixels);
+  candidate.pixels = static_cast<std::uint32_t>(sum.moments.n);
   candidate.patches = sum.patches;
   for (HoughPatch& patch : patches) {
-    if (patch.candidate == 0 && patch_distance(scene, patch, candidate.fit, 1) <= patch_limit) {
-      patch.candidate = number;
-    }
+    if (patch.candidate == 0 && agrees(scene, patch, candidate.fit, known_sigmas)) patch.candidate = number;
   }
   seed->candidate = number;
   return true;

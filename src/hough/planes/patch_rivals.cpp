@@ -9,7 +9,7 @@ namespace {
 
 // More rivals than these do not come near one patch.
 constexpr std::size_t most_rivals = 8;
-// The rivals may be this much worse: a plane that is not there should not win by its own freedom.
+// The rivals may be so much worse: the plane was fitted to these readings, they were not.
 constexpr double rival_ratio = 1.2;
 
 struct Rivals {
@@ -39,7 +39,8 @@ struct Contest {
   double own = 0, rival = 0;
 };
 
-double squared(const InverseDepthPlane& plane, std::int32_t x, std::int32_t y, double q, double most) noexcept {
+double squared(const InverseDepthPlane& plane, std::int32_t x, std::int32_t y, double q,
+               double most) noexcept {
   const double off = plane.at(x, y) - q;
   return off * off < most ? off * off : most;
 }
@@ -48,8 +49,10 @@ double squared(const InverseDepthPlane& plane, std::int32_t x, std::int32_t y, d
 void add_patch(const PatchScene& scene, const DepthInput& input, const HoughPatch& patch,
                const InverseDepthPlane& own, const Rivals& rivals, Contest& contest) noexcept {
   const std::int32_t step = patch.side / hough_patch_side;
-  const std::int32_t right = patch.x + patch.side < scene.size.width ? patch.x + patch.side : scene.size.width;
-  const std::int32_t low = patch.y + patch.side < scene.size.height ? patch.y + patch.side : scene.size.height;
+  const std::int32_t right =
+      patch.x + patch.side < scene.size.width ? patch.x + patch.side : scene.size.width;
+  const std::int32_t low =
+      patch.y + patch.side < scene.size.height ? patch.y + patch.side : scene.size.height;
   const double gate = scene.gate.sigmas * scene.sigma(patch.mean_q);
   const double most = gate * gate;
   const double weight = patch.moments.n;
@@ -74,10 +77,9 @@ void add_patch(const PatchScene& scene, const DepthInput& input, const HoughPatc
   contest.rival += sum.rival * weight / (readings * most);
 }
 
-}  // namespace
-
-bool explained_by_rivals(const PatchScene& scene, const DepthInput& input, std::span<const HoughPatch> patches,
-                         std::span<const HoughPlaneCandidate> candidates, std::uint32_t number) noexcept {
+/// Is candidate `number` as well explained by those with more readings? `pixels` 0: a candidate that left.
+bool explained(const PatchScene& scene, const DepthInput& input, std::span<const HoughPatch> patches,
+               std::span<const HoughPlaneCandidate> candidates, std::uint32_t number) noexcept {
   Contest contest;
   for (const HoughPatch& patch : patches) {
     if (patch.candidate != number + 1) continue;
@@ -85,6 +87,31 @@ bool explained_by_rivals(const PatchScene& scene, const DepthInput& input, std::
     add_patch(scene, input, patch, candidates[number].fit.plane, rivals, contest);
   }
   return contest.rival <= contest.own * rival_ratio;
+}
+
+}  // namespace
+
+std::uint32_t drop_explained(const PatchScene& scene, const DepthInput& input,
+                             std::span<const HoughPatch> patches,
+                             std::span<HoughPlaneCandidate> candidates) noexcept {
+  const auto count = static_cast<std::uint32_t>(candidates.size());
+  std::uint32_t last = 0;
+  for (std::uint32_t turn = 0; turn < count; ++turn) {
+    // The one with fewest readings among those with more than the last one had.
+    std::uint32_t next = count;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (candidates[i].pixels <= last) continue;
+      if (next == count || candidates[i].pixels < candidates[next].pixels) next = i;
+    }
+    if (next == count) break;
+    last = candidates[next].pixels;
+    if (explained(scene, input, patches, candidates, next)) candidates[next].pixels = 0;
+  }
+  std::uint32_t left = 0;
+  for (const HoughPlaneCandidate& candidate : candidates) {
+    if (candidate.pixels != 0) candidates[left++] = candidate;
+  }
+  return left;
 }
 
 }  // namespace straightedge::hough

@@ -9,10 +9,11 @@
 
 namespace straightedge::hough {
 
-/// Are the readings of candidate `number`'s patches explained as well by the planes of the others that have more
-/// readings, each reading by the nearest of them? So it is along a crease, where patches that lie half on one
-/// wall and half on another look like a chamfer. `pixels` 0 marks candidates that are gone.
-bool explained_by_rivals(const PatchScene& scene, const DepthInput& input, std::span<const HoughPatch> patches,
-                         std::span<const HoughPlaneCandidate> candidates, std::uint32_t number) noexcept;
+/// Step 7 of hough_plane_patches.hpp: takes out candidates that others explain, those with few readings
+/// first. Returns how many are left; they keep their order. Patches name candidates as they were counted
+/// before.
+std::uint32_t drop_explained(const PatchScene& scene, const DepthInput& input,
+                             std::span<const HoughPatch> patches,
+                             std::span<HoughPlaneCandidate> candidates) noexcept;
 
 }  // namespace straightedge::hough

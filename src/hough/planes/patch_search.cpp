@@ -10,10 +10,39 @@
 namespace straightedge {
 namespace {
 
+using hough::DepthInput;
 using hough::PatchScene;
 
-std::uint32_t sum_levels(const hough::DepthInput& input, HoughPatchSearch::Memory& memory,
-                         std::int32_t largest) noexcept {
+// A patch that knows its normal to nine degrees spreads its vote so thin that a plane of min_pixels has about
+// this part of them in its best cell.
+constexpr std::uint32_t thinnest = 64;
+
+/// What the steps of one run share.
+struct Search {
+  const PatchScene& scene;
+  detail::HoughPatchMemory& memory;
+  std::span<HoughPatch> patches;
+  HoughPlaneTrace trace;
+  std::uint32_t found = 0;
+  std::uint32_t votes = 0;
+};
+
+Status check(Size size, const DepthInput& input, const PinholeCamera& camera,
+             const PlaneGate& gate) noexcept {
+  if (size.width == 0) return Status::not_prepared;
+  const bool masked = input.mask.data != nullptr;
+  if (!input.inverse_depth.valid() || !camera.valid() || (masked && !input.mask.valid())) {
+    return Status::invalid_image;
+  }
+  if (input.inverse_depth.size() != size || (masked && input.mask.size() != size)) {
+    return Status::size_mismatch;
+  }
+  return gate.valid() ? Status::ok : Status::invalid_option;
+}
+
+/// Step 1. Returns the number of readings.
+std::uint32_t sum_levels(const DepthInput& input, std::int32_t largest,
+                         detail::HoughPatchMemory& memory) noexcept {
   hough::sum_cells(input, memory.levels[0]);
   double readings = 0;
   for (const InverseDepthMoments& cell : memory.levels[0]) readings += cell.n;
@@ -27,42 +56,70 @@ std::uint32_t sum_levels(const hough::DepthInput& input, HoughPatchSearch::Memor
   return static_cast<std::uint32_t>(readings);
 }
 
-std::uint32_t vote(std::span<const HoughPatch> patches, double step_m,
-                   HoughAccumulator& accumulator) noexcept {
-  accumulator.clear(step_m);
-  const double area = accumulator.directions().cell_size() * accumulator.directions().cell_size();
-  std::uint32_t votes = 0;
-  for (const HoughPatch& patch : patches) {
-    if (!patch.votes || patch.candidate != 0) continue;
-    hough::cast_vote(patch, area, accumulator);
-    ++votes;
-  }
-  return votes;
+/// Step 2.
+std::span<HoughPatch> cut(const PatchScene& scene, detail::HoughPatchMemory& memory) noexcept {
+  const std::size_t count = hough::make_patches(scene, memory.levels, memory.patches);
+  const std::span<HoughPatch> patches = memory.patches.first(count);
+  for (HoughPatch& patch : patches) hough::shape_vote(scene, patch);
+  return patches;
 }
 
-/// Takes out candidates that others explain, those with few readings first. Returns how many are left.
-std::uint32_t drop_explained(const PatchScene& scene, const hough::DepthInput& input,
-                             std::span<HoughPatch> patches,
-                             std::span<HoughPlaneCandidate> candidates) noexcept {
-  std::uint32_t last = 0;
-  for (;;) {
-    // The next one in order of (readings, index).
-    std::uint32_t next = 0;
-    bool any = false;
-    for (std::uint32_t i = 0; i < candidates.size(); ++i) {
-      if (candidates[i].pixels <= last) continue;
-      if (!any || candidates[i].pixels < candidates[next].pixels) next = i;
-      any = true;
+/// Step 3. How many voted; cancelled: the trace wants to stop.
+Status vote(Search& search, std::uint32_t& voters) noexcept {
+  HoughAccumulator& accumulator = search.memory.accumulator;
+  voters = 0;
+  for (std::uint32_t i = 0; i < search.patches.size(); ++i) {
+    const HoughPatch& patch = search.patches[i];
+    if (!patch.votes || patch.candidate != 0) continue;
+    if (voters == 0) accumulator.clear(search.scene.step_m);
+    hough::cast_vote(patch, search.scene.cell_size_rad, accumulator);
+    ++voters;
+    if (!search.trace({.step = HoughPlaneStep::vote, .plane = patch.space, .voter = i})) {
+      return Status::cancelled;
     }
-    if (!any) break;
-    last = candidates[next].pixels;
-    if (hough::explained_by_rivals(scene, input, patches, candidates, next)) candidates[next].pixels = 0;
   }
-  std::uint32_t left = 0;
-  for (const HoughPlaneCandidate& candidate : candidates) {
-    if (candidate.pixels != 0) candidates[left++] = candidate;
+  return Status::ok;
+}
+
+/// Steps 4 and 5.
+Status grow_peaks(Search& search) noexcept {
+  detail::HoughPatchMemory& memory = search.memory;
+  const HoughAccumulator& accumulator = memory.accumulator;
+  const std::uint32_t least = search.scene.options.min_pixels / thinnest * hough_patch_vote;
+  std::uint32_t peaks = 0;
+  const Status status = find_plane_peaks(accumulator, accumulator.votes(), least, memory.peaks, peaks);
+  // Peaks that had no room are lower than those that had; what they stand for votes again.
+  static_cast<void>(status);
+  for (const HoughPlanePeak& peak : memory.peaks.first(peaks)) {
+    if (search.found == memory.candidates.size()) break;
+    HoughPlaneCandidate& candidate = memory.candidates[search.found];
+    const Plane plane = accumulator.plane(peak.direction, peak.distance);
+    if (!search.trace({.step = HoughPlaneStep::peak, .plane = plane, .votes = peak.votes})) {
+      return Status::cancelled;
+    }
+    const auto number = static_cast<std::uint16_t>(search.found + 1);
+    if (!hough::grow(search.scene, plane, search.patches, number, candidate)) continue;
+    candidate.votes = peak.votes;
+    ++search.found;
+    if (!search.trace({HoughPlaneStep::plane, search.scene.space(candidate.fit.plane), number, peak.votes})) {
+      return Status::cancelled;
+    }
   }
-  return left;
+  return Status::ok;
+}
+
+/// Step 6.
+Status search_rounds(Search& search) noexcept {
+  for (std::int32_t round = 0; round < search.scene.options.rounds; ++round) {
+    std::uint32_t voters = 0;
+    if (const Status status = vote(search, voters); status != Status::ok) return status;
+    search.votes += voters;
+    if (voters == 0) break;
+    const std::uint32_t before = search.found;
+    if (const Status status = grow_peaks(search); status != Status::ok) return status;
+    if (search.found == before) break;
+  }
+  return Status::ok;
 }
 
 /// Candidates with many readings first; ties keep their order.
@@ -84,9 +141,9 @@ Status HoughPatchSearch::prepare(HoughPatchSearch& search, Size size, const Houg
   search = {};
   if (size.width < 1 || size.height < 1) return Status::invalid_image;
   if (!fits(size)) return Status::too_large;
-  if (!valid(options)) return Status::invalid_option;
+  if (!detail::valid(options)) return Status::invalid_option;
   Arena arena(workspace);
-  Memory memory;
+  detail::HoughPatchMemory memory;
   memory.take(arena, size, options);
   if (arena.failed()) return Status::workspace_too_small;
   memory.accumulator.fill(options.accumulator.cells);
@@ -98,57 +155,39 @@ Status HoughPatchSearch::prepare(HoughPatchSearch& search, Size size, const Houg
 
 HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, const PinholeCamera& camera,
                                        const PlaneGate& gate, ImageView<const std::uint16_t> mask,
-                                       std::span<HoughPlaneCandidate> candidates) noexcept {
+                                       std::span<HoughPlaneCandidate> candidates,
+                                       HoughPlaneTrace trace) noexcept {
+  const DepthInput input{inverse_depth, mask};
   HoughPatchResult result;
   patches_ = 0;
-  if (size_.width == 0) return result;
-  result.status = Status::invalid_image;
-  if (!inverse_depth.valid() || !camera.valid()) return result;
-  if (mask.data != nullptr && !mask.valid()) return result;
-  result.status = Status::size_mismatch;
-  if (inverse_depth.size() != size_ || (mask.data != nullptr && mask.size() != size_)) return result;
-  result.status = Status::invalid_option;
-  if (!gate.valid()) return result;
-  result.status = Status::ok;
-
-  const PatchScene scene{size_, camera, gate, options_, memory_.accumulator.directions().cell_size()};
-  result.readings = sum_levels({inverse_depth, mask}, memory_, options_.largest_patch);
-  patches_ = hough::make_patches(scene, memory_.levels, memory_.patches);
-  const std::span<HoughPatch> patches = memory_.patches.first(patches_);
-  for (HoughPatch& patch : patches) hough::shape_vote(scene, patch);
-  result.patches = static_cast<std::uint32_t>(patches_);
-  const double step = options_.max_distance_m / options_.accumulator.distances;
-
-  std::uint32_t found = 0;
-  for (std::int32_t round = 0; round < options_.rounds; ++round) {
-    const std::uint32_t votes = vote(patches, step, memory_.accumulator);
-    if (votes == 0) break;
-    result.votes += votes;
-    std::uint32_t peaks = 0;
-    const std::uint32_t least = options_.min_pixels * hough_patch_vote / 64;
-    const Status status = find_plane_peaks(memory_.accumulator, memory_.accumulator.votes(), least,
-                                           memory_.peaks, peaks);
-    static_cast<void>(status);
-    const std::uint32_t before = found;
-    for (const HoughPlanePeak& peak : memory_.peaks.first(peaks)) {
-      if (found == memory_.candidates.size()) break;
-      HoughPlaneCandidate& candidate = memory_.candidates[found];
-      const Plane plane = memory_.accumulator.plane(peak.direction, peak.distance);
-      if (!hough::grow(scene, plane, step, patches, static_cast<std::uint16_t>(found + 1), candidate)) continue;
-      candidate.votes = peak.votes;
-      ++found;
-    }
-    if (found == before) break;
-  }
-  found = drop_explained(scene, {inverse_depth, mask}, patches, memory_.candidates.first(found));
-  sort(memory_.candidates.first(found));
-  for (std::uint32_t i = 0; i < found; ++i) {
-    if (i == candidates.size()) {
+  result.status = check(size_, input, camera, gate);
+  if (result.status != Status::ok) return result;
+  const PatchScene scene{size_,
+                         camera,
+                         gate,
+                         options_,
+                         memory_.accumulator.directions().cell_size(),
+                         options_.max_distance_m / options_.accumulator.distances};
+  // Step 1.
+  result.readings = sum_levels(input, options_.largest_patch, memory_);
+  // Step 2.
+  const std::span<HoughPatch> patches = cut(scene, memory_);
+  patches_ = patches.size();
+  result.patches = static_cast<std::uint32_t>(patches.size());
+  // Steps 3 to 6.
+  Search search{scene, memory_, patches, trace};
+  result.status = search_rounds(search);
+  result.votes = search.votes;
+  // Step 7.
+  const std::uint32_t left =
+      hough::drop_explained(scene, input, patches, memory_.candidates.first(search.found));
+  sort(memory_.candidates.first(left));
+  for (const HoughPlaneCandidate& candidate : memory_.candidates.first(left)) {
+    if (result.candidates == candidates.size()) {
       result.status = Status::output_full;
       break;
     }
-    candidates[i] = memory_.candidates[i];
-    ++result.candidates;
+    candidates[result.candidates++] = candidate;
   }
   return result;
 }

@@ -56,8 +56,8 @@ class Tree {
   }
   const InverseDepthMoments* at(const Square& s) const noexcept {
     if (s.column >= columns(s.level) || s.row >= rows(s.level)) return nullptr;
-    return &levels_[static_cast<std::size_t>(s.level)][static_cast<std::size_t>(
-        s.row * columns(s.level) + s.column)];
+    return &levels_[static_cast<std::size_t>(s.level)]
+                   [static_cast<std::size_t>(s.row * columns(s.level) + s.column)];
   }
   bool planar(const Square& s, const InverseDepthMoments& m) noexcept;
   bool parts_agree(const Square& s, const InverseDepthPlane& plane, double noise) const noexcept;

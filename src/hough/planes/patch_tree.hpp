@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <span>
 
-#include "straightedge/hough_plane_patches.hpp"
+#include "straightedge/depth_view.hpp"
+#include "straightedge/hough_plane_patch.hpp"
+#include "straightedge/image.hpp"
+#include "straightedge/plane_gate.hpp"
 
 namespace straightedge::hough {
 
@@ -15,16 +18,24 @@ struct PatchScene {
   PinholeCamera camera;
   PlaneGate gate;
   HoughPatchOptions options;
-  double cell_size_rad = 0;
+  double cell_size_rad = 0;  ///< of the accumulator
+  double step_m = 0;         ///< of its distances
 
+  /// In the camera's frame. Distance 0: through the camera, or no plane at all.
+  Plane space(const InverseDepthPlane& plane) const noexcept {
+    const Vector3 m{plane.a * camera.fx, plane.b * camera.fy,
+                    plane.c + plane.a * camera.cx + plane.b * camera.cy};
+    const double size = length(m);
+    if (!(size > 0) || !(size < 1e100)) return {};
+    return {(1 / size) * m, 1 / size};
+  }
   /// Standard deviation of a reading's 1/z.
   double sigma(double q) const noexcept {
     return gate.fixed_m > 0 ? gate.fixed_m / gate.sigmas * q * q : gate.inverse_sigma;
   }
 };
 
-/// Cuts the picture into patches: the largest squares first; a square that is not planar is cut into four.
-/// Returns how many were written.
+/// Step 2 of hough_plane_patches.hpp. Returns how many patches were written.
 std::size_t make_patches(const PatchScene& scene, std::span<const std::span<InverseDepthMoments>> levels,
                          std::span<HoughPatch> patches) noexcept;
 

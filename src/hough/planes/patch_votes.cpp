@@ -45,11 +45,8 @@ Slopes slopes_by(const HoughPatch& patch, const Vector3& tangent, const PinholeC
 
 void shape_vote(const PatchScene& scene, HoughPatch& patch) noexcept {
   const PinholeCamera& camera = scene.camera;
-  const auto& [a, b, c] = patch.plane;
-  const Vector3 m{a * camera.fx, b * camera.fy, c + a * camera.cx + b * camera.cy};
-  const double size = length(m);
-  if (!(size > 0) || !(size < 1e100)) return;
-  patch.space = {(1 / size) * m, 1 / size};
+  patch.space = scene.space(patch.plane);
+  if (!(patch.space.distance > 0)) return;
   patch.point = (1 / patch.mean_q) * camera.ray(patch.mean_u, patch.mean_v);
   patch.tangent_u = normalized(cross(aside(patch.space.normal), patch.space.normal));
   patch.tangent_v = cross(patch.space.normal, patch.tangent_u);
@@ -66,6 +63,7 @@ void shape_vote(const PatchScene& scene, HoughPatch& patch) noexcept {
   const double limit = scene.options.max_spread_rad;
   const double largest = covariance.largest_eigenvalue();
   patch.votes = largest <= limit * limit;
+  // So wide that no vote falls between the centres of cells.
   const double least = 0.6 * scene.cell_size_rad;
   covariance.uu += least * least;
   covariance.vv += least * least;
@@ -83,11 +81,11 @@ double kernel_distance(const HoughPatch& patch, const Vector3& direction) noexce
   return u * (uu * u + 2 * uv * v) + vv * v * v;
 }
 
-void cast_vote(const HoughPatch& patch, double cell_area, HoughAccumulator& accumulator) noexcept {
+void cast_vote(const HoughPatch& patch, double cell_size_rad, HoughAccumulator& accumulator) noexcept {
   const HoughDirections& directions = accumulator.directions();
   const auto& [uu, uv, vv] = patch.precision;
   // The kernel's integral over the tangent plane is 2 pi sqrt(det of the covariance).
-  const double share = cell_area * __builtin_sqrt(uu * vv - uv * uv) / (2 * pi);
+  const double share = cell_size_rad * cell_size_rad * __builtin_sqrt(uu * vv - uv * uv) / (2 * pi);
   const double scale = hough_patch_vote * patch.moments.n * share;
   directions.for_near(patch.space.normal, patch.reach_rad, [&](std::int32_t cell) noexcept {
     const Vector3& n = directions.centre(cell);

@@ -14,7 +14,7 @@ void shape_vote(const PatchScene& scene, HoughPatch& patch) noexcept;
 double kernel_distance(const HoughPatch& patch, const Vector3& direction) noexcept;
 inline constexpr double vote_reach_squared = 6;
 
-/// Casts the patch's vote.
-void cast_vote(const HoughPatch& patch, double cell_area, HoughAccumulator& accumulator) noexcept;
+/// Step 3 of hough_plane_patches.hpp.
+void cast_vote(const HoughPatch& patch, double cell_size_rad, HoughAccumulator& accumulator) noexcept;
 
 }  // namespace straightedge::hough

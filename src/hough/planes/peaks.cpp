@@ -76,8 +76,7 @@ Status low_pass_votes(const HoughAccumulator& accumulator, std::span<std::uint32
         ++neighbours;
       });
       const std::uint64_t value = own + sum / neighbours;
-      smooth[field.index(direction, k)] =
-          value < UINT32_MAX ? static_cast<std::uint32_t>(value) : UINT32_MAX;
+      smooth[field.index(direction, k)] = value < UINT32_MAX ? static_cast<std::uint32_t>(value) : UINT32_MAX;
     }
   }
   return Status::ok;
