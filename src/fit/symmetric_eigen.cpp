@@ -25,10 +25,10 @@ double power_of_two_below(double value) noexcept {
   return power > least_normal ? power : least_normal;
 }
 
-/// The matrix on its way to a diagonal, and the product of the rotations: columns are the vectors.
+/// The matrix on its way to a diagonal, and the axes, turned by every rotation.
 struct Jacobi {
   double a[3][3];
-  double vectors[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Vector3 vectors[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
   /// Makes entry (p, q) zero.
   void rotate(int p, int q) noexcept {
@@ -51,11 +51,11 @@ struct Jacobi {
     const double old_pr = pr;
     pr = c * old_pr - s * qr;
     qr = s * old_pr + c * qr;
-    for (auto& row : vectors) {
-      const double at_p = row[p];
-      row[p] = c * at_p - s * row[q];
-      row[q] = s * at_p + c * row[q];
-    }
+    // Axis by axis, not coordinate by coordinate: GCC 12 would fuse such pairs of a sum and a difference of
+    // products where the machine can, and change the last bits.
+    const Vector3 old_p = vectors[p];
+    vectors[p] = c * old_p - s * vectors[q];
+    vectors[q] = s * old_p + c * vectors[q];
   }
 };
 
@@ -110,7 +110,7 @@ SymmetricEigen symmetric_eigen(const std::array<double, 6>& upper) noexcept {
   for (std::size_t i = 0; i < 3; ++i) {
     const int k = column[i];
     eigen.values[i] = values[k] * scale;
-    eigen.vectors[i] = with_fixed_sign({jacobi.vectors[0][k], jacobi.vectors[1][k], jacobi.vectors[2][k]});
+    eigen.vectors[i] = with_fixed_sign(jacobi.vectors[k]);
   }
   return eigen;
 }
