@@ -78,16 +78,16 @@ bool inside(const ransac::CellBox& a, const ransac::CellBox& b, const Lattice& l
 bool grow(Search& s, std::int32_t column, std::int32_t row, std::int32_t half, InverseDepthFit& fit,
           ransac::Core& core) noexcept {
   const std::int32_t longest = s.lattice.columns > s.lattice.rows ? s.lattice.columns : s.lattice.rows;
-  bool complete = false;
+  int rounds_inside = 0;
   for (std::int32_t h = half;; h *= 2) {
-    const bool last = complete || h >= longest;
+    const bool last = rounds_inside == 2 || h >= longest;
     const ransac::CellBox box =
         last ? ransac::whole(s.lattice) : ransac::box_round(s.lattice, column, row, h);
     const Growth growth = grow_to(s, box, last ? s.least_cells : s.least_cells / 2, fit, core);
     if (growth == Growth::too_rough) remember_rough(s, core.bounds);
     if (growth != Growth::grown) return false;
     if (last) return true;
-    complete = inside(core.bounds, box, s.lattice);
+    rounds_inside = inside(core.bounds, box, s.lattice) ? rounds_inside + 1 : 0;
   }
 }
 
