@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "straightedge/octree_grid.hpp"
+#include "straightedge/octree_nodes.hpp"
+#include "straightedge/vector3.hpp"
+
+namespace straightedge::octree {
+
+/// Positions that squares do not overflow for.
+constexpr bool is_position(const Vector3& p) noexcept {
+  constexpr double most = 1e100;
+  return p.x >= -most && p.x <= most && p.y >= -most && p.y <= most && p.z >= -most && p.z <= most;
+}
+
+/// How near to a position a point of a node can be.
+///
+/// Boxes are compared in the cells' frame, where their borders are integers. Cells are computed with an error
+/// of less than 2^-30 of a leaf inside the cube, and of less than 2^-49 of the coordinate far outside, so
+/// every side is moved out by that much: the result is never above the computed distance of a point in the
+/// node.
+class NodeDistance {
+ public:
+  NodeDistance(const OctreeGrid& grid, const Vector3& position) noexcept
+      : scale_(grid.leaf_m * grid.leaf_m * (1 - 0x1p-40)) {
+    const Vector3 at = grid.in_cells(position);
+    x_ = widened(at.x);
+    y_ = widened(at.y);
+    z_ = widened(at.z);
+  }
+
+  double squared(const OctreeNode& node) const noexcept {
+    const MortonCell cell = morton_decode(node.code());
+    const double side = static_cast<double>(std::uint32_t{1} << static_cast<unsigned>(node.level()));
+    const Vector3 gap{x_.gap(cell.x, side), y_.gap(cell.y, side), z_.gap(cell.z, side)};
+    return squared_length(gap) * scale_;
+  }
+
+ private:
+  struct Range {
+    double low = 0, high = 0;
+
+    double gap(std::uint32_t cell, double side) const noexcept {
+      // Signed: every processor has this conversion.
+      const auto begin = static_cast<double>(static_cast<std::int32_t>(cell));
+      const double below = begin - high;
+      const double above = low - (begin + side);
+      const double outside = below > above ? below : above;
+      return outside > 0 ? outside : 0;
+    }
+  };
+  static Range widened(double at) noexcept {
+    const double slack = 0x1p-30 + (at < 0 ? -at : at) * 0x1p-48;
+    return {at - slack, at + slack};
+  }
+
+  Range x_, y_, z_;
+  double scale_;
+};
+
+}  // namespace straightedge::octree
