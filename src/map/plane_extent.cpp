@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "map/plane_raster.hpp"
@@ -136,11 +137,8 @@ std::vector<PlanePoint> simplified(std::span<const PlanePoint> loop, double tole
   return left;
 }
 
-/// Steps 2 to 6 of one lot.
-void loops_of(std::span<const ExtentPiece> pieces, const ExtentOptions& options, double min_area,
-              std::vector<ExtentLoop>& loops) {
-  Raster raster = raster_for(pieces, options.cell, options.max_gap);
-  for (const ExtentPiece& piece : pieces) paint(raster, piece);
+/// Steps 3 to 6.
+void read_loops(Raster& raster, const ExtentOptions& options, double min_area, std::vector<ExtentLoop>& loops) {
   close_gaps(raster, options.max_gap);
   fill_holes(raster, options.max_hole);
   drop_islands(raster, min_area);
@@ -158,6 +156,32 @@ void loops_of(std::span<const ExtentPiece> pieces, const ExtentOptions& options,
   }
 }
 
+/// Steps 2 to 6 of one lot.
+void loops_of(std::span<const ExtentPiece> pieces, const ExtentOptions& options, double min_area,
+              std::vector<ExtentLoop>& loops) {
+  Raster raster = raster_for(pieces, options.cell, options.max_gap);
+  for (const ExtentPiece& piece : pieces) paint(raster, piece);
+  read_loops(raster, options, min_area, loops);
+}
+
+void largest_first(std::vector<ExtentLoop>& loops) {
+  std::stable_sort(loops.begin(), loops.end(),
+                   [](const ExtentLoop& a, const ExtentLoop& b) { return a.area > b.area; });
+}
+
+bool sensible(const ExtentPiece& p) {
+  constexpr double most = 1e6;
+  return p.a0 > -most && p.a1 < most && p.b0 > -most && p.b1 < most && p.a0 <= p.a1 && p.b0 <= p.b1;
+}
+
+ExtentPiece bounds_of(const ExtentLoop& loop) {
+  ExtentPiece box{loop.points[0].a, loop.points[0].a, loop.points[0].b, loop.points[0].b};
+  for (const PlanePoint& p : loop.points) {
+    box = {std::min(box.a0, p.a), std::max(box.a1, p.a), std::min(box.b0, p.b), std::max(box.b1, p.b)};
+  }
+  return box;
+}
+
 }  // namespace
 
 double signed_area(std::span<const PlanePoint> loop) {
@@ -172,11 +196,7 @@ double signed_area(std::span<const PlanePoint> loop) {
 
 std::vector<ExtentLoop> extent_loops(std::span<const ExtentPiece> pieces, const ExtentOptions& options) {
   std::vector<ExtentPiece> good;
-  for (const ExtentPiece& p : pieces) {
-    constexpr double most = 1e6;
-    if (p.a0 > -most && p.a1 < most && p.b0 > -most && p.b1 < most && p.a0 <= p.a1 && p.b0 <= p.b1)
-      good.push_back(p);
-  }
+  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(good), sensible);
   std::vector<ExtentLoop> loops;
   // Step 1.
   const auto lots = lots_of(good, std::max(smallest_lot_cell, options.max_gap));
@@ -184,8 +204,27 @@ std::vector<ExtentLoop> extent_loops(std::span<const ExtentPiece> pieces, const 
   if (loops.empty()) {
     for (const auto& lot : lots) loops_of(lot, options, 0, loops);
   }
-  std::stable_sort(loops.begin(), loops.end(),
-                   [](const ExtentLoop& a, const ExtentLoop& b) { return a.area > b.area; });
+  largest_first(loops);
+  return loops;
+}
+
+std::vector<ExtentLoop> united_loops(std::span<const std::vector<ExtentLoop>> things,
+                                     const ExtentOptions& options) {
+  std::vector<ExtentPiece> boxes;
+  std::vector<std::vector<ExtentLoop>> good(things.size());
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    for (const ExtentLoop& loop : things[i]) {
+      if (loop.points.size() < 3 || !sensible(bounds_of(loop))) continue;
+      boxes.push_back(bounds_of(loop));
+      good[i].push_back(loop);
+    }
+  }
+  std::vector<ExtentLoop> loops;
+  if (boxes.empty()) return loops;
+  Raster raster = raster_for(boxes, options.cell, options.max_gap);
+  for (const auto& thing : good) paint(raster, thing);
+  read_loops(raster, options, 0, loops);
+  largest_first(loops);
   return loops;
 }
 

@@ -48,6 +48,11 @@ struct ExtentOptions {
 /// Largest border first, holes last, largest at the end. Pieces that are not finite or empty are passed over.
 std::vector<ExtentLoop> extent_loops(std::span<const ExtentPiece> pieces, const ExtentOptions& options);
 
+/// The borders of several things together, each given by its borders: painted on one grid by rows (a cell is
+/// covered when its middle is inside), then steps 3 to 6.
+std::vector<ExtentLoop> united_loops(std::span<const std::vector<ExtentLoop>> things,
+                                     const ExtentOptions& options);
+
 double signed_area(std::span<const PlanePoint> loop);
 
 }  // namespace straightedge

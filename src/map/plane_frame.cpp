@@ -117,11 +117,11 @@ void LeafWriter::put(const LeafRun& run) {
   const auto centre = [](std::uint32_t i) {
     return (static_cast<double>(i) + 0.5) * static_cast<double>(plane_grid::leaf_side);
   };
-  const LeafPlace leaf = run.first.leaf();
+  const MortonCell leaf = run.first.leaf();
   const Vector3 middle{centre(leaf.x), centre(leaf.y), centre(leaf.z)};
   const double offset = plane.offset - dot(plane.towards_camera, middle);
   const PlaneLeafSums s = weighted(run, plane);
-  const std::size_t place = leaves_.place({leaf_code(leaf), surface_bin(plane.direction, offset)});
+  const std::size_t place = leaves_.place({morton_encode(leaf), surface_bin(plane.direction, offset)});
   if (place >= tally_.size()) tally_.resize(place + 1 + tally_.size() / 2, 0);
   if (tally_[place] == 0) touched_.push_back({static_cast<std::uint32_t>(place), run.label});
   tally_[place] += static_cast<std::uint32_t>(s.readings);

@@ -11,6 +11,7 @@
 #include "straightedge/host/plane_map_builder.hpp"
 #include "straightedge/host/pose.hpp"
 #include "straightedge/host/result.hpp"
+#include "straightedge/morton.hpp"
 
 namespace straightedge {
 
@@ -38,7 +39,7 @@ Result<std::vector<FramePlane>> frame_planes(std::span<const FoundPlane> planes,
 struct GridReading {
   std::int32_t i = 0, j = 0, k = 0, residual = 0;
 
-  LeafPlace leaf() const noexcept {
+  MortonCell leaf() const noexcept {
     constexpr int bits = plane_grid::leaf_bits;
     return {static_cast<std::uint32_t>(i >> bits), static_cast<std::uint32_t>(j >> bits),
             static_cast<std::uint32_t>(k >> bits)};

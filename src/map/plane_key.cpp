@@ -4,29 +4,11 @@
 
 #include <cstdlib>
 
+#include "straightedge/morton.hpp"
 #include "straightedge/rounding.hpp"
 
 namespace straightedge {
 namespace {
-
-/// Bit i goes to bit 3 i.
-std::uint64_t spread(std::uint64_t v) {
-  v &= 0x1FFFFF;
-  v = (v | v << 32U) & 0x1F00000000FFFF;
-  v = (v | v << 16U) & 0x1F0000FF0000FF;
-  v = (v | v << 8U) & 0x100F00F00F00F00F;
-  v = (v | v << 4U) & 0x10C30C30C30C30C3;
-  return (v | v << 2U) & 0x1249249249249249;
-}
-
-std::uint32_t gather(std::uint64_t v) {
-  v &= 0x1249249249249249;
-  v = (v | v >> 2U) & 0x10C30C30C30C30C3;
-  v = (v | v >> 4U) & 0x100F00F00F00F00F;
-  v = (v | v >> 8U) & 0x1F0000FF0000FF;
-  v = (v | v >> 16U) & 0x1F00000000FFFF;
-  return static_cast<std::uint32_t>((v | v >> 32U) & 0x1FFFFF);
-}
 
 std::uint32_t face_cell(std::int32_t along, std::int32_t axis) {
   const std::int32_t cell = (9 * (along + axis)) / (2 * axis);
@@ -35,16 +17,8 @@ std::uint32_t face_cell(std::int32_t along, std::int32_t axis) {
 
 }  // namespace
 
-std::uint64_t leaf_code(const LeafPlace& place) noexcept {
-  return spread(place.x) | spread(place.y) << 1U | spread(place.z) << 2U;
-}
-
-LeafPlace leaf_place(std::uint64_t code) noexcept {
-  return {gather(code), gather(code >> 1U), gather(code >> 2U)};
-}
-
 Vector3 cube_centre(std::uint64_t leaf, int level) noexcept {
-  const LeafPlace p = leaf_place(leaf);
+  const MortonCell p = morton_decode(leaf);
   const auto middle = [level](std::uint32_t i) {
     const std::int64_t cube = i >> level;
     const std::int64_t side = std::int64_t{1} << level;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "straightedge/host/plane_leaves.hpp"
@@ -15,20 +14,10 @@ struct GridNormal {
   std::int32_t x = 0, y = 0, z = 0;
 };
 
-/// Leaves and blocks count from the grid's lower corner.
-struct LeafPlace {
-  std::uint32_t x = 0, y = 0, z = 0;
-
-  constexpr bool operator==(const LeafPlace&) const noexcept = default;
-};
-
 /// Half the grid, in quanta: what makes grid coordinates of world coordinates positive.
 inline constexpr double grid_middle =
     static_cast<double>(std::int64_t{1} << (plane_grid::axis_bits + plane_grid::leaf_bits - 1));
 inline constexpr double grid_end = 2 * grid_middle;
-
-std::uint64_t leaf_code(const LeafPlace& place) noexcept;
-LeafPlace leaf_place(std::uint64_t code) noexcept;
 
 /// The middle of a cube whose sides are 2^level leaves.
 Vector3 cube_centre(std::uint64_t leaf, int level) noexcept;

@@ -8,25 +8,13 @@
 #include "map/plane_export.hpp"
 #include "map/plane_frame.hpp"
 #include "map/plane_groups.hpp"
+#include "map/plane_options.hpp"
+#include "map/plane_order.hpp"
 #include "map/plane_outline.hpp"
 #include "map/plane_register.hpp"
 
 namespace straightedge {
 namespace {
-
-bool between(double value, double low, double high) {
-  return value >= low && value <= high;
-}
-
-Result<Done> check_options(const PlaneMapOptions& o) {
-  const bool good = o.gate.valid() && between(o.floor.angle_rad, 0, 1) && between(o.floor.offset_m, 0, 1) &&
-                    between(o.reading_floor, 0, 10) && between(o.shared_noise, 1, 1e6) &&
-                    between(o.chi_square, 1e-9, 1e9) && between(o.max_angle, 0, 1) &&
-                    between(o.max_offset, 0, 1) && between(o.max_tilt, 0, 2) && between(o.min_area, 0, 1e6) && between(o.max_gap, 0, 10) &&
-                    between(o.max_hole, 0, 1e6);
-  if (!good) return Failure{Problem::bad_option, "an option of the plane map is out of its range"};
-  return Done{};
-}
 
 Failure refusal(const char* sentence) {
   return {Problem::bad_content, sentence};
@@ -83,17 +71,6 @@ bool outline(Candidate& c, std::span<const PlaneLeaf> leaves, const PlaneMapOpti
   for (const ExtentLoop& loop : loops) area += loop.area;
   c.plane.polygons = polygons_of(chart, loops);
   return area >= options.min_area;
-}
-
-/// Step 8: the largest first, then by normal and distance.
-bool comes_first(const MapPlane& a, const MapPlane& b) {
-  if (a.points != b.points) return a.points > b.points;
-  const Vector3& n = a.plane.normal;
-  const Vector3& m = b.plane.normal;
-  if (n.x != m.x) return n.x < m.x;
-  if (n.y != m.y) return n.y < m.y;
-  if (n.z != m.z) return n.z < m.z;
-  return a.plane.distance < b.plane.distance;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "map/plane_raster.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "straightedge/rounding.hpp"
 
@@ -96,6 +97,33 @@ void paint(Raster& raster, const ExtentPiece& piece) {
   const std::int32_t y0 = cell(piece.b0 - raster.origin.b), y1 = cell(piece.b1 - raster.origin.b);
   for (std::int32_t y = y0; y < std::max(y1, y0 + 1); ++y) {
     for (std::int32_t x = x0; x < std::max(x1, x0 + 1); ++x) raster.cells[raster.index(x, y)] = 1;
+  }
+}
+
+void paint(Raster& raster, std::span<const ExtentLoop> loops) {
+  std::vector<std::vector<double>> crossings(static_cast<std::size_t>(raster.height));
+  for (const ExtentLoop& loop : loops) {
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      PlanePoint p = loop.points[i], q = loop.points[(i + 1) % loop.points.size()];
+      if (p.b > q.b) std::swap(p, q);
+      // Rows whose middle lies in [p.b, q.b).
+      const auto row = [&](double b) { return -floor_to_integer(0.5 - (b - raster.origin.b) / raster.cell); };
+      const std::int64_t last = std::min<std::int64_t>(row(q.b), raster.height);
+      for (std::int64_t y = std::max<std::int64_t>(row(p.b), 0); y < last; ++y) {
+        const double middle = raster.origin.b + (static_cast<double>(y) + 0.5) * raster.cell;
+        crossings[static_cast<std::size_t>(y)].push_back(p.a + (middle - p.b) / (q.b - p.b) * (q.a - p.a));
+      }
+    }
+  }
+  for (std::int32_t y = 0; y < raster.height; ++y) {
+    std::vector<double>& row = crossings[static_cast<std::size_t>(y)];
+    std::sort(row.begin(), row.end());
+    for (std::size_t i = 0; i + 1 < row.size(); i += 2) {
+      const auto column = [&](double a) {
+        return static_cast<std::int32_t>(-floor_to_integer(0.5 - (a - raster.origin.a) / raster.cell));
+      };
+      for (std::int32_t x = column(row[i]); x < column(row[i + 1]); ++x) raster.cells[raster.index(x, y)] = 1;
+    }
   }
 }
 

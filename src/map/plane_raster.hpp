@@ -31,6 +31,10 @@ Raster raster_for(std::span<const ExtentPiece> pieces, double cell, double margi
 
 void paint(Raster& raster, const ExtentPiece& piece);
 
+/// The inside of borders taken together: a cell is inside when a ray from its middle crosses them an odd
+/// number of times.
+void paint(Raster& raster, std::span<const ExtentLoop> loops);
+
 /// Step 3 of extent_loops.
 void close_gaps(Raster& raster, double max_gap);
 

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "straightedge/morton.hpp"
+
 namespace straightedge {
 
 /// The grid on which a plane map is summed. Space is cut into quanta and these into cubic leaves, the same
@@ -19,7 +21,7 @@ inline constexpr double quantum_m = 1 / quanta_per_m;
 inline constexpr int leaf_bits = 8;                                ///< 256 quanta: a leaf has sides of 1/16 m
 inline constexpr std::int32_t leaf_side = 1 << leaf_bits;          ///< quanta
 inline constexpr double leaf_m = leaf_side * quantum_m;            ///< metres
-inline constexpr int axis_bits = 21;                               ///< leaves along an axis: 2^21
+inline constexpr int axis_bits = morton_levels;                    ///< leaves along an axis: 2^21
 inline constexpr double reach_m = leaf_m * (1 << (axis_bits - 1));  ///< the grid covers ±65536 m
 inline constexpr double weight_unit = 16;                          ///< one unit of weight, 1/m²
 inline constexpr std::int64_t most_weight = 1 << 16;               ///< of one reading: sigma 1 mm
