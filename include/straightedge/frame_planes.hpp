@@ -16,6 +16,10 @@
 
 namespace straightedge {
 
+namespace detail {
+class PlaneSurfaces;
+}
+
 /// A plane that a search proposes; which pixels are its own is settled afterwards.
 struct ProposedPlane {
   InverseDepthFit fit;
@@ -42,8 +46,18 @@ struct FramePlanesOptions {
   std::uint32_t rounds = 2;       ///< searches, each on what the ones before left over; 1 to 8
   /// Neighbours of a reading share its noise; so many pixels count as one independent reading. 1 to 1000.
   double noise_pixels = 28;
+  /// Real frames stray further from planes than the noise model says; residuals may be so many times larger
+  /// in every test. 1 to 10.
+  double slack = 1.4;
   bool reject_curved = true;  ///< flat strips of balls and pillars are no planes
 };
+
+/// The gate with its noise as `slack` widens it: the one for the search, too.
+constexpr PlaneGate widened(const FramePlanesOptions& options) noexcept {
+  PlaneGate gate = options.gate;
+  gate.inverse_sigma *= options.slack;
+  return gate;
+}
 
 /// All planes of a depth frame, with a label for each pixel, from the candidates of any search.
 ///
@@ -110,12 +124,14 @@ class FramePlanes {
     candidates_ = arena.take<ProposedPlane>(options.max_planes);
     surfaces_ = arena.take<detail::BentPlane>(options.max_planes);
     sums_ = arena.take<detail::QuadraticSums>(options.max_planes);
+    contacts_ = arena.take<std::uint32_t>(std::size_t{options.max_planes} * options.max_planes);
     moments_ = arena.take<InverseDepthMoments>(options.max_planes);
   }
   void search_round(const DepthView& depth, const PlaneSearch& search, ImageView<std::uint16_t> labels,
                     PlanesFound& found) noexcept;
   void assign_cells() noexcept;
   void refit(const PinholeCamera& camera) noexcept;
+  void join(const detail::PlaneSurfaces& fitting, std::span<std::uint16_t> becomes) noexcept;
   /// What becomes of each plane: itself, an earlier one that it is joined into, or gone.
   using Becomes = std::array<std::uint16_t, 256>;
   void keep(const Becomes& becomes) noexcept;
@@ -136,6 +152,7 @@ class FramePlanes {
   std::span<ProposedPlane> candidates_;
   std::span<detail::BentPlane> surfaces_;
   std::span<detail::QuadraticSums> sums_;
+  std::span<std::uint32_t> contacts_;  // pairs of touching cells of two planes, a square table
   std::span<InverseDepthMoments> moments_;
   std::uint32_t count_ = 0;
 };

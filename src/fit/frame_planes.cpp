@@ -17,7 +17,7 @@ constexpr std::uint16_t gone = 0xFFFF;
 
 bool valid(const FramePlanesOptions& o) noexcept {
   return o.gate.valid() && o.max_planes >= 1 && o.max_planes <= most_planes && o.rounds >= 1 &&
-         o.rounds <= 8 && o.noise_pixels >= 1 && o.noise_pixels <= 1000;
+         o.rounds <= 8 && o.noise_pixels >= 1 && o.noise_pixels <= 1000 && o.slack >= 1 && o.slack <= 10;
 }
 
 /// Indices of the planes, the one with most pixels first, then in their order.
@@ -29,6 +29,22 @@ void sort_by_pixels(std::span<const InverseDepthMoments> moments, std::span<std:
       --place;
     }
     order[place] = static_cast<std::uint16_t>(i);
+  }
+}
+
+/// How many pairs of neighbouring cells belong to planes i and j: a symmetric table.
+void count_contacts(Size size, std::span<const std::uint16_t> labels, std::size_t planes,
+                    std::span<std::uint32_t> contacts) noexcept {
+  std::fill(contacts.begin(), contacts.end(), 0U);
+  const auto count = [&](std::uint16_t a, std::uint16_t b) noexcept {
+    if (a == 0 || b == 0 || a == b) return;
+    ++contacts[(a - 1U) * planes + (b - 1U)];
+    ++contacts[(b - 1U) * planes + (a - 1U)];
+  };
+  const auto width = static_cast<std::size_t>(size.width);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if ((i + 1) % width != 0) count(labels[i], labels[i + 1]);
+    if (i + width < labels.size()) count(labels[i], labels[i + width]);
   }
 }
 
@@ -58,6 +74,7 @@ Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
   take(arena, size, options);
   if (arena.failed()) return Status::workspace_too_small;
   options_ = options;
+  options_.gate = widened(options);
   const auto share = static_cast<std::uint32_t>(pixels / 1000);
   min_pixels_ = options.min_pixels > 0 ? options.min_pixels : std::max(share, 64U);
   prepared_ = true;
@@ -74,30 +91,35 @@ void FramePlanes::refit(const PinholeCamera& camera) noexcept {
   const detail::PlaneSurfaces fitting(size_, camera, options_);
   fitting.sum(cells_, cell_labels_[0], sums_.first(count_));
   Becomes becomes{};
-  std::array<double, most_planes> squares{};
   for (std::uint16_t k = 0; k < count_; ++k) {
-    const bool stays = sums_[k].n >= min_pixels_ / 2.0 && fitting.fit(sums_[k], surfaces_[k], squares[k]);
+    const bool stays = sums_[k].n >= min_pixels_ / 2.0 && fitting.fit(sums_[k], surfaces_[k]);
     becomes[k] = stays ? k : gone;
   }
+  join(fitting, becomes);
+  keep(becomes);
+}
+
+void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::span<std::uint16_t> becomes) noexcept {
+  const std::span<std::uint32_t> contacts = contacts_.first(std::size_t{count_} * count_);
+  count_contacts(cells_.size(0), cell_labels_[0], count_, contacts);
   for (std::uint16_t i = 0; i < count_; ++i) {
     if (becomes[i] != i) continue;
     for (std::uint16_t j = i + 1U; j < count_; ++j) {
       detail::BentPlane both;
-      double squares_both = 0;
-      if (becomes[j] != j ||
-          !fitting.are_one(sums_[i], squares[i], sums_[j], squares[j], both, squares_both)) {
-        continue;
-      }
+      const std::uint32_t touching = contacts[std::size_t{i} * count_ + j];
+      if (becomes[j] != j || !fitting.are_one(sums_[i], sums_[j], touching, both)) continue;
       surfaces_[i] = both;
-      squares[i] = squares_both;
       sums_[i].add(sums_[j]);
+      for (std::size_t k = 0; k < count_; ++k) {
+        contacts[std::size_t{i} * count_ + k] += contacts[std::size_t{j} * count_ + k];
+        contacts[k * count_ + i] = contacts[std::size_t{i} * count_ + k];
+      }
       candidates_[i].score += candidates_[j].score;
       candidates_[i].confidence = std::max(candidates_[i].confidence, candidates_[j].confidence);
       becomes[j] = i;
       j = i;  // the joined plane has moved: those that were refused may fit now
     }
   }
-  keep(becomes);
 }
 
 void FramePlanes::keep(const Becomes& becomes) noexcept {
@@ -206,7 +228,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
     const ProposedPlane& candidate = candidates_[order[i]];
     InverseDepthFit fit;
     FoundPlane plane;
-    const double sigma = options_.gate.inverse_sigma * __builtin_sqrt(options_.noise_pixels);
+    const double sigma = options_.gate.inverse_sigma / options_.slack * __builtin_sqrt(options_.noise_pixels);
     if (m.n < min_pixels_ || fit_inverse_depth(m, sigma, fit) != Status::ok ||
         to_plane_fit(fit, sigma, depth.camera, plane.fit) != Status::ok) {
       continue;

@@ -11,9 +11,12 @@ namespace {
 
 // One true pair in a hundred lies further apart (chi-square, 3 degrees of freedom).
 constexpr double chi_square_gate = 11.34;
-// Two planes that share the cells of one surface part them by the sign of their noise, and so lie about one
-// standard deviation apart; real ones so near cannot be told apart. Root mean square over the smaller one.
+// Nor are planes told apart that lie nearer than this in deviations of the noise, root mean square over the
+// smaller one: two planes that share the cells of one surface part them by the sign of their noise. Where
+// their cells alternate all over (so many contacts a cell of the smaller one) it takes more.
 constexpr double floor_deviations = 1.5;
+constexpr double floor_when_mixed = 2.5;
+constexpr double contacts_of_mixed = 0.25;
 // Standard deviation of the bend: the radius of a wall in the picture of a common sensor. Half a Kinect's
 // picture sags by some three deviations of its noise then.
 constexpr double usual_radius_m = 40;
@@ -39,33 +42,36 @@ void PlaneSurfaces::sum(const DepthCells& cells, std::span<const std::uint16_t> 
   }
 }
 
-double PlaneSurfaces::ridge(double variance) const noexcept {
-  // A radius r is a second derivative 1/(r f²) per pixel², twice the coefficient per scaled unit².
-  const double usual = scale_ * scale_ / (2 * usual_radius_m * focal_square_);
-  return variance * options_.noise_pixels / (usual * usual);
-}
-
-bool PlaneSurfaces::fit(const QuadraticSums& sums, BentPlane& surface, double& squares) const noexcept {
+bool PlaneSurfaces::fit(const QuadraticSums& sums, QuadraticFit& fit) const noexcept {
   if (!(sums.n > 0)) return false;
   const double noise = inverse_noise(options_.gate, sums.right[0] / sums.n);
+  // A radius r is a second derivative 1/(r f²) per pixel², twice the coefficient per scaled unit².
+  const double usual = scale_ * scale_ / (2 * usual_radius_m * focal_square_);
+  return fit_quadratic(sums, noise * noise * options_.noise_pixels / (usual * usual), fit);
+}
+
+bool PlaneSurfaces::fit(const QuadraticSums& sums, BentPlane& surface) const noexcept {
   QuadraticFit found;
-  if (!fit_quadratic(sums, ridge(noise * noise), found)) return false;
+  if (!fit(sums, found)) return false;
   const auto& c = found.coefficients;
   const double a = c[1] / scale_, b = c[2] / scale_, square = scale_ * scale_;
   surface = {{a, b, c[0] - a * u0_ - b * v0_}, c[3] / square, c[4] / square, c[5] / square, u0_, v0_};
-  squares = found.squares;
   return true;
 }
 
-bool PlaneSurfaces::are_one(const QuadraticSums& a, double squares_a, const QuadraticSums& b,
-                            double squares_b, BentPlane& surface, double& squares) const noexcept {
+bool PlaneSurfaces::are_one(const QuadraticSums& a, const QuadraticSums& b, std::uint32_t touching,
+                            BentPlane& surface) const noexcept {
   QuadraticSums both = a;
   both.add(b);
-  if (!fit(both, surface, squares)) return false;
+  QuadraticFit fit_a, fit_b, fit_both;
+  if (!fit(a, fit_a) || !fit(b, fit_b) || !fit(both, fit_both)) return false;
   const double noise = inverse_noise(options_.gate, both.right[0] / both.n);
-  const double cost = (squares - squares_a - squares_b) / (noise * noise);
-  const double floor = floor_deviations * floor_deviations * a.n * b.n / both.n;
-  return cost < chi_square_gate * options_.noise_pixels + floor;
+  const double cost = (fit_both.squares - fit_a.squares - fit_b.squares) / (noise * noise);
+  const double cells = std::min(a.n, b.n) / (DepthCells::side * DepthCells::side);
+  const bool mixed = touching >= contacts_of_mixed * cells;
+  const double apart = mixed ? floor_when_mixed : floor_deviations;
+  return cost < chi_square_gate * options_.noise_pixels + apart * apart * a.n * b.n / both.n &&
+         fit(both, surface);
 }
 
 }  // namespace straightedge::detail

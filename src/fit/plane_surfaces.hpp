@@ -23,15 +23,15 @@ class PlaneSurfaces {
   /// Sums of each plane's own cells of level 0.
   void sum(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
            std::span<QuadraticSums> sums) const noexcept;
-  /// The surface of the sums; `squares` is what is left. False when there are too few cells.
-  bool fit(const QuadraticSums& sums, BentPlane& surface, double& squares) const noexcept;
+  /// The surface of the sums. False when there are too few cells.
+  bool fit(const QuadraticSums& sums, BentPlane& surface) const noexcept;
   /// Whether two planes are one: what it costs, in squared residuals, that both have one surface instead of
-  /// their own.
-  bool are_one(const QuadraticSums& a, double squares_a, const QuadraticSums& b, double squares_b,
-               BentPlane& surface, double& squares) const noexcept;
+  /// their own. `touching`: pairs of neighbouring cells, one of each plane.
+  bool are_one(const QuadraticSums& a, const QuadraticSums& b, std::uint32_t touching,
+               BentPlane& surface) const noexcept;
 
  private:
-  double ridge(double variance) const noexcept;
+  bool fit(const QuadraticSums& sums, QuadraticFit& fit) const noexcept;
 
   double u0_, v0_, scale_;  // samples are taken about the picture's middle, in halves of its width
   double focal_square_;

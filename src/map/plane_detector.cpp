@@ -52,7 +52,7 @@ std::uint32_t search_hough(void* user, ImageView<const float> inverse_depth,
 Result<PlaneDetector> PlaneDetector::create(Size size, const PlaneDetectorOptions& options) {
   PlaneDetector made;
   made.options_ = options;
-  made.options_.ransac.gate = options.frame.gate;
+  made.options_.ransac.gate = widened(options.frame);
   made.frame_ = std::make_unique<FramePlanes>();
   made.ransac_ = std::make_unique<RansacSearch>();
   made.hough_ = std::make_unique<HoughPatchSearch>();
@@ -76,7 +76,8 @@ Result<DetectedPlanes> PlaneDetector::detect(const DepthView& depth) {
   DetectedPlanes result;
   result.labels = Image<std::uint16_t>(depth.raw.size());
   result.planes.resize(options_.frame.max_planes);
-  HoughUser hough{hough_.get(), &options_.frame.gate};
+  const PlaneGate gate = widened(options_.frame);
+  HoughUser hough{hough_.get(), &gate};
   const bool ransac = options_.method == PlaneMethod::ransac;
   const PlaneSearch search =
       ransac ? PlaneSearch{ransac_.get(), search_ransac} : PlaneSearch{&hough, search_hough};
