@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "inverse_noise.hpp"
-
 namespace straightedge::detail {
 namespace {
 
@@ -81,7 +79,7 @@ void label_cells(const DepthCells& cells, std::span<const BentPlane> planes, con
           around = best_around(*cell, x / 2, y / 2, cells.size(level + 1),
                                labels[static_cast<std::size_t>(level) + 1], planes);
         }
-        const double noise = inverse_noise(gate, cell->q / cell->n);
+        const double noise = gate.inverse_noise(cell->q / cell->n);
         *label = label_of(*cell, around, noise * noise, level, planes);
       }
     }

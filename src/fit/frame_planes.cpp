@@ -153,7 +153,10 @@ void FramePlanes::judge(const PinholeCamera& camera) noexcept {
     becomes[k] = shape == detail::PlaneShape::flat ? k : gone;
     if (shape != detail::PlaneShape::bent) continue;
     changed = true;
-    for (const std::int32_t cell : list_.first(solid)) clear_cell(cell);
+    for (const std::int32_t cell : list_.first(solid)) {
+      const std::uint16_t owner = cell_labels_[0][static_cast<std::size_t>(cell)];
+      if (owner == label || owner == 0) clear_cell(cell);
+    }
   }
   keep(becomes);
   if (changed) cells_.sum_up();

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "inverse_noise.hpp"
-
 namespace straightedge::detail {
 namespace {
 
@@ -83,7 +81,7 @@ struct Pixels {
   std::uint16_t label(std::int32_t x, std::int32_t y, const Around& around) const noexcept {
     const auto q = static_cast<double>(inverse_depth.at(x, y));
     if (!(q > 0)) return 0;
-    const double noise = inverse_noise(gate, q);
+    const double noise = gate.inverse_noise(q);
     const Mean mean = around.count == 1 ? Mean{static_cast<double>(x), static_cast<double>(y), q}
                                         : mean_of_surface(inverse_depth, x, y, same_surface * noise);
     return nearest(mean, around, planes, gate.sigmas * noise);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 
-#include "inverse_noise.hpp"
 #include "straightedge/detail/quadratic_surface.hpp"
 
 namespace straightedge::detail {
@@ -38,7 +37,7 @@ struct Flood {
     const auto i = static_cast<std::size_t>(cell);
     const InverseDepthMoments& m = cells.level(0)[i];
     if (memory.visited[i] == label || m.n < least_readings) return false;
-    const double noise = inverse_noise(gate, m.q / m.n);
+    const double noise = gate.inverse_noise(m.q / m.n);
     return squared_residuals(m, surface.tangent(m.u / m.n, m.v / m.n)) < on_plane * noise * noise * m.n;
   }
   /// Appends the piece that holds `seed` to the list, which has `first` entries; returns its own cells.
@@ -119,7 +118,7 @@ PlaneShape plane_shape(const DepthCells& cells, std::span<const std::uint16_t> c
   // Step 3.
   InverseDepthMoments sum;
   for (std::size_t i = 0; i < solid; ++i) sum.add(cells.level(0)[static_cast<std::size_t>(memory.list[i])]);
-  const double noise = inverse_noise(options.gate, sum.q / sum.n);
+  const double noise = options.gate.inverse_noise(sum.q / sum.n);
   const Bend found = measure_bend(cells, memory.list.first(solid), surface.plane, sum);
   const double bend = found.rms / noise;
   const double significance = bend * __builtin_sqrt(sum.n / (3 * options.noise_pixels));

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "inverse_noise.hpp"
-
 namespace straightedge::detail {
 namespace {
 
@@ -44,7 +42,7 @@ void PlaneSurfaces::sum(const DepthCells& cells, std::span<const std::uint16_t> 
 
 bool PlaneSurfaces::fit(const QuadraticSums& sums, QuadraticFit& fit) const noexcept {
   if (!(sums.n > 0)) return false;
-  const double noise = inverse_noise(options_.gate, sums.right[0] / sums.n);
+  const double noise = options_.gate.inverse_noise(sums.right[0] / sums.n);
   // A radius r is a second derivative 1/(r f²) per pixel², twice the coefficient per scaled unit².
   const double usual = scale_ * scale_ / (2 * usual_radius_m * focal_square_);
   return fit_quadratic(sums, noise * noise * options_.noise_pixels / (usual * usual), fit);
@@ -65,7 +63,7 @@ bool PlaneSurfaces::are_one(const QuadraticSums& a, const QuadraticSums& b, std:
   both.add(b);
   QuadraticFit fit_a, fit_b, fit_both;
   if (!fit(a, fit_a) || !fit(b, fit_b) || !fit(both, fit_both)) return false;
-  const double noise = inverse_noise(options_.gate, both.right[0] / both.n);
+  const double noise = options_.gate.inverse_noise(both.right[0] / both.n);
   const double cost = (fit_both.squares - fit_a.squares - fit_b.squares) / (noise * noise);
   const double cells = std::min(a.n, b.n) / (DepthCells::side * DepthCells::side);
   const bool mixed = touching >= contacts_of_mixed * cells;

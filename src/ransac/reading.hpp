@@ -9,8 +9,7 @@ namespace straightedge::ransac {
 /// 1 / gate of a reading with q = 1/z, in metres. The gate of a fixed number of metres along z is q² times as
 /// wide in 1/z.
 inline float inverse_gate(const PlaneGate& gate, float q) noexcept {
-  const double wide = gate.fixed_m > 0 ? gate.fixed_m * static_cast<double>(q) * static_cast<double>(q)
-                                       : gate.sigmas * gate.inverse_sigma;
+  const double wide = gate.sigmas * gate.inverse_noise(static_cast<double>(q));
   return static_cast<float>(1 / wide);
 }
 

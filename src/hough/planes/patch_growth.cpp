@@ -57,7 +57,7 @@ double slope_distance(const PatchScene& scene, const HoughPatch& patch, const In
 bool agrees(const PatchScene& scene, const HoughPatch& patch, const InverseDepthFit& fit,
             double most_known) noexcept {
   const double u = patch.mean_u, v = patch.mean_v;
-  const double sigma = scene.sigma(patch.mean_q);
+  const double sigma = scene.gate.inverse_noise(patch.mean_q);
   const double off = fit.plane.at(u, v) - patch.mean_q;
   const double gate = scene.gate.sigmas * sigma;
   if (!(off * off <= gate * gate)) return false;
@@ -70,7 +70,7 @@ bool agrees(const PatchScene& scene, const HoughPatch& patch, const InverseDepth
 }
 
 bool fit_sum(const PatchScene& scene, const InverseDepthMoments& sum, InverseDepthFit& fit) noexcept {
-  const double sigma = scene.sigma(sum.q / sum.n) * __builtin_sqrt(scene.options.shared_noise_pixels);
+  const double sigma = scene.gate.inverse_noise(sum.q / sum.n) * __builtin_sqrt(scene.options.shared_noise_pixels);
   return fit_inverse_depth(sum, sigma, fit) == Status::ok;
 }
 

@@ -21,7 +21,7 @@ struct Rivals {
 Rivals rivals_at(const PatchScene& scene, const HoughPatch& patch,
                  std::span<const HoughPlaneCandidate> candidates, std::uint32_t number) noexcept {
   Rivals rivals;
-  const double sigma = scene.sigma(patch.mean_q);
+  const double sigma = scene.gate.inverse_noise(patch.mean_q);
   for (std::uint32_t i = 0; i < candidates.size() && rivals.count < most_rivals; ++i) {
     if (i == number || candidates[i].pixels <= candidates[number].pixels) continue;
     const InverseDepthPlane& plane = candidates[i].fit.plane;
@@ -53,7 +53,7 @@ void add_patch(const PatchScene& scene, const DepthInput& input, const HoughPatc
       patch.x + patch.side < scene.size.width ? patch.x + patch.side : scene.size.width;
   const std::int32_t low =
       patch.y + patch.side < scene.size.height ? patch.y + patch.side : scene.size.height;
-  const double gate = scene.gate.sigmas * scene.sigma(patch.mean_q);
+  const double gate = scene.gate.sigmas * scene.gate.inverse_noise(patch.mean_q);
   const double most = gate * gate;
   const double weight = patch.moments.n;
   Contest sum;

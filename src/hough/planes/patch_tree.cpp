@@ -100,7 +100,7 @@ bool Tree::planar(const Square& s, const InverseDepthMoments& m) noexcept {
   if (!(determinant > 0.02 * c.uu * c.vv) || !(c.uu > c.n) || !(c.vv > c.n)) return false;
   const double a = (c.uq * c.vv - c.vq * c.uv) / determinant;
   const double b = (c.vq * c.uu - c.uq * c.uv) / determinant;
-  const double sigma = scene_.sigma(c.q);
+  const double sigma = scene_.gate.inverse_noise(c.q);
   const double variance = (c.qq - a * c.uq - b * c.vq) / c.n;
   const double shared = scene_.options.shared_noise_pixels;
   const double slack = residual_sigmas * __builtin_sqrt(shared / c.n);

@@ -29,10 +29,6 @@ struct PatchScene {
     if (!(size > 0) || !(size < 1e100)) return {};
     return {(1 / size) * m, 1 / size};
   }
-  /// Standard deviation of a reading's 1/z.
-  double sigma(double q) const noexcept {
-    return gate.fixed_m > 0 ? gate.fixed_m / gate.sigmas * q * q : gate.inverse_sigma;
-  }
 };
 
 /// Step 2 of hough_plane_patches.hpp. Returns how many patches were written.
