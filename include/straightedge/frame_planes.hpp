@@ -135,7 +135,7 @@ class FramePlanes {
   /// What becomes of each plane: itself, an earlier one that it is joined into, or gone.
   using Becomes = std::array<std::uint16_t, 256>;
   void keep(const Becomes& becomes) noexcept;
-  void judge(const PinholeCamera& camera) noexcept;
+  void judge(const PinholeCamera& camera, bool last) noexcept;
   void clear_cell(std::int32_t cell) noexcept;
   Status finish(const DepthView& depth, ImageView<std::uint16_t> labels, std::span<FoundPlane> planes,
                 PlanesFound& found) noexcept;

@@ -139,7 +139,7 @@ void FramePlanes::keep(const Becomes& becomes) noexcept {
   for (std::uint16_t& cell : cell_labels_[0]) cell = label[cell];
 }
 
-void FramePlanes::judge(const PinholeCamera& camera) noexcept {
+void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
   // Step 5.
   const detail::ShapeMemory memory{visited_, list_};
   std::fill(visited_.begin(), visited_.end(), std::uint16_t{0});
@@ -149,7 +149,7 @@ void FramePlanes::judge(const PinholeCamera& camera) noexcept {
     std::size_t solid = 0;
     const auto label = static_cast<std::uint16_t>(k + 1);
     const detail::PlaneShape shape = detail::plane_shape(cells_, cell_labels_[0], label, surfaces_[k],
-                                                         options_, min_pixels_, camera, memory, solid);
+                                                         options_, min_pixels_, camera, memory, last, solid);
     becomes[k] = shape == detail::PlaneShape::flat ? k : gone;
     if (shape != detail::PlaneShape::bent) continue;
     changed = true;
@@ -185,7 +185,7 @@ void FramePlanes::search_round(const DepthView& depth, const PlaneSearch& search
   count_ += added;
   assign_cells();
   refit(depth.camera);
-  judge(depth.camera);
+  judge(depth.camera, false);
 }
 
 Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, ImageView<std::uint16_t> labels,
@@ -218,7 +218,8 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
                            std::span<FoundPlane> planes, PlanesFound& found) noexcept {
   // Step 7.
   assign_cells();
-  judge(depth.camera);
+  refit(depth.camera);
+  judge(depth.camera, true);
   detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], surfaces_.first(count_), options_.gate,
                        labels, moments_);
   // Step 8.

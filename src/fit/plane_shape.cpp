@@ -15,6 +15,8 @@ constexpr double cell_pixels = DepthCells::side * DepthCells::side;
 constexpr double least_readings = cell_pixels / 2;
 constexpr double on_plane = 2.5;
 constexpr double least_solid_share = 0.5;
+// Pieces with fewer pixels than this share of the least plane are chance: other planes may have them.
+constexpr double crumb_share = 0.3;
 
 // Bend, in standard deviations of one reading, and its significance. True planes of rendered rooms stay below
 // both pairs in 98 of 100 cases, strips of balls and pillars above one of them in 9 of 10.
@@ -27,7 +29,7 @@ constexpr double largest_radius_m = 0.6;
 
 struct Flood {
   const DepthCells& cells;
-  std::span<const std::uint16_t> labels;
+  std::span<std::uint16_t> labels;
   std::uint16_t label;
   const BentPlane& surface;
   const PlaneGate& gate;
@@ -64,6 +66,13 @@ struct Flood {
   }
 };
 
+void drop_label(std::span<const std::int32_t> piece, const Flood& flood) noexcept {
+  for (const std::int32_t cell : piece) {
+    std::uint16_t& label = flood.labels[static_cast<std::size_t>(cell)];
+    if (label == flood.label) label = 0;
+  }
+}
+
 struct Bend {
   double rms = 0;        ///< of the quadratic part, 1/metre
   double curvature = 0;  ///< largest second derivative, 1/(metre pixel²)
@@ -95,9 +104,9 @@ Bend measure_bend(const DepthCells& cells, std::span<const std::int32_t> list, c
 
 }  // namespace
 
-PlaneShape plane_shape(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
-                       std::uint16_t label, const BentPlane& surface, const FramePlanesOptions& options,
-                       double min_pixels, const PinholeCamera& camera, const ShapeMemory& memory,
+PlaneShape plane_shape(const DepthCells& cells, std::span<std::uint16_t> cell_labels, std::uint16_t label,
+                       const BentPlane& surface, const FramePlanesOptions& options, double min_pixels,
+                       const PinholeCamera& camera, const ShapeMemory& memory, bool drop_crumbs,
                        std::size_t& solid) noexcept {
   // Step 1.
   const Flood flood{cells, cell_labels, label, surface, options.gate, memory};
@@ -108,6 +117,8 @@ PlaneShape plane_shape(const DepthCells& cells, std::span<const std::uint16_t> c
     all += 1;
     std::size_t end = solid;
     const auto own = static_cast<double>(flood.piece(static_cast<std::int32_t>(i), solid, end));
+    if (own * cell_pixels < crumb_share * min_pixels)
+      drop_label(memory.list.subspan(solid, end - solid), flood);
     if (own * cell_pixels < min_pixels) continue;
     in_solid += own;
     solid = end;

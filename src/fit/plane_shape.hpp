@@ -27,14 +27,15 @@ struct ShapeMemory {
 /// `solid` is how many entries of the list are the cells of its solid pieces afterwards.
 ///
 /// 1. Solid pieces: from the plane's cells, flood over touching cells whose readings lie on the plane,
-///    whoever has them; a piece with too few cells of the plane's own is none.
+///    whoever has them; a piece with too few cells of the plane's own is none,
+///    and with `drop_crumbs` loses its label when it is a mere crumb.
 /// 2. Stripe: solid pieces hold less than half of the plane's cells.
 /// 3. Bent: least squares of 1, u, v, uu, uv, vv to the means of the solid cells, by Cholesky's
 /// decomposition; the last
 ///    three terms' share is the bend.
-PlaneShape plane_shape(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
-                       std::uint16_t label, const BentPlane& surface, const FramePlanesOptions& options,
-                       double min_pixels, const PinholeCamera& camera, const ShapeMemory& memory,
+PlaneShape plane_shape(const DepthCells& cells, std::span<std::uint16_t> cell_labels, std::uint16_t label,
+                       const BentPlane& surface, const FramePlanesOptions& options, double min_pixels,
+                       const PinholeCamera& camera, const ShapeMemory& memory, bool drop_crumbs,
                        std::size_t& solid) noexcept;
 
 }  // namespace straightedge::detail
