@@ -37,6 +37,24 @@ class NodeDistance {
     return squared_length(gap) * scale_;
   }
 
+  /// The same for all octants of a node: each takes one of two halves along each axis.
+  struct Octants {
+    double x[2], y[2], z[2];
+
+    double squared(std::uint64_t octant) const noexcept {
+      return x[octant & 1U] + y[octant >> 1U & 1U] + z[octant >> 2U & 1U];
+    }
+  };
+  Octants octants(const OctreeNode& inner) const noexcept {
+    const MortonCell cell = morton_decode(inner.code());
+    const std::uint32_t half = std::uint32_t{1} << static_cast<unsigned>(inner.level() - 1);
+    const auto side = static_cast<double>(half);
+    const auto scaled = [this](double gap) { return gap * gap * scale_; };
+    return {{scaled(x_.gap(cell.x, side)), scaled(x_.gap(cell.x + half, side))},
+            {scaled(y_.gap(cell.y, side)), scaled(y_.gap(cell.y + half, side))},
+            {scaled(z_.gap(cell.z, side)), scaled(z_.gap(cell.z + half, side))}};
+  }
+
  private:
   struct Range {
     double low = 0, high = 0;
@@ -46,8 +64,8 @@ class NodeDistance {
       const auto begin = static_cast<double>(static_cast<std::int32_t>(cell));
       const double below = begin - high;
       const double above = low - (begin + side);
-      const double outside = below > above ? below : above;
-      return outside > 0 ? outside : 0;
+      // One of them is 0; the sum needs no branch.
+      return (below > 0 ? below : 0) + (above > 0 ? above : 0);
     }
   };
   static Range widened(double at) noexcept {
