@@ -16,10 +16,10 @@ constexpr bool is_position(const Vector3& p) noexcept {
 
 /// How near to a position a point of a node can be.
 ///
-/// Boxes are compared in the cells' frame, where their borders are integers. Cells are computed with an error
-/// of less than 2^-30 of a leaf inside the cube, and of less than 2^-49 of the coordinate far outside, so
-/// every side is moved out by that much: the result is never above the computed distance of a point in the
-/// node.
+/// Boxes are compared in the cells' frame, where their borders are integers. A position in the cube or within
+/// its size of it has an error of less than 2^-28 of a leaf there, so every side is moved out by that much.
+/// What is farther away is less exact, but its distance is large, and all squares are taken 2^-40 smaller. So
+/// the result is never above the computed distance of a point in the node.
 class NodeDistance {
  public:
   NodeDistance(const OctreeGrid& grid, const Vector3& position) noexcept
@@ -68,10 +68,7 @@ class NodeDistance {
       return (below > 0 ? below : 0) + (above > 0 ? above : 0);
     }
   };
-  static Range widened(double at) noexcept {
-    const double slack = 0x1p-30 + (at < 0 ? -at : at) * 0x1p-48;
-    return {at - slack, at + slack};
-  }
+  static Range widened(double at) noexcept { return {at - 0x1p-28, at + 0x1p-28}; }
 
   Range x_, y_, z_;
   double scale_;
