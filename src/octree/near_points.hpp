@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 
 #include "straightedge/octree_point.hpp"
@@ -14,19 +15,49 @@ namespace straightedge::octree {
 
 // Four numbers that are treated alike; the bits do not depend on how many a processor takes at once.
 using Floats4 = float __attribute__((vector_size(16)));
-using Doubles4 = double __attribute__((vector_size(32)));
 
-/// What compilers make of this are as many conversions, differences and products at once as there are.
-inline void block_distances(const std::uint32_t* block, const Vector3& from, Doubles4& squared) noexcept {
-  Floats4 x, y, z;
-  std::memcpy(&x, block, sizeof(x));
-  std::memcpy(&y, block + 4, sizeof(y));
-  std::memcpy(&z, block + 8, sizeof(z));
-  const Doubles4 dx = __builtin_convertvector(x, Doubles4) - from.x;
-  const Doubles4 dy = __builtin_convertvector(y, Doubles4) - from.y;
-  const Doubles4 dz = __builtin_convertvector(z, Doubles4) - from.z;
-  squared = dx * dx + dy * dy + dz * dz;
-}
+/// Tells in floats, four points at a time, which points are certainly too far; the others are looked at in
+/// doubles.
+///
+/// A coordinate of the position loses at most 2^-24 of itself as a float, and a float sum of three squares of
+/// differences errs by less than 2^-20 of its value; the limit is raised by more than both.
+class FarFilter {
+ public:
+  explicit FarFilter(const Vector3& from) noexcept
+      : x_(static_cast<float>(from.x)),
+        y_(static_cast<float>(from.y)),
+        z_(static_cast<float>(from.z)),
+        loss_(0x1p-23 * (magnitude(from.x) + magnitude(from.y) + magnitude(from.z))) {}
+
+  void set_limit(double squared) noexcept {
+    const double raised = __builtin_sqrt(squared) * (1 + 0x1p-20) + loss_;
+    const double limit = raised * raised + 0x1p-120;
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    limit_ = limit < 0x1p127 ? static_cast<float>(limit) : infinity;
+  }
+
+  bool all_far(const std::uint32_t* block) const noexcept {
+    Floats4 x, y, z;
+    std::memcpy(&x, block, sizeof(x));
+    std::memcpy(&y, block + 4, sizeof(y));
+    std::memcpy(&z, block + 8, sizeof(z));
+    x -= x_;
+    y -= y_;
+    z -= z_;
+    const auto far = x * x + y * y + z * z > limit_;
+    std::uint64_t halves[2];
+    static_assert(sizeof(halves) == sizeof(far));
+    std::memcpy(halves, &far, sizeof(halves));
+    return (halves[0] & halves[1]) == UINT64_MAX;
+  }
+
+ private:
+  static double magnitude(double a) noexcept { return a < 0 ? -a : a; }
+
+  float x_, y_, z_;
+  float limit_ = 0;
+  double loss_;
+};
 
 /// Calls take(neighbour) for those of the places `first` to `end` that are not farther than `limit`, which
 /// `take` may lower. Blocks on the border of the range have points of other leaves.
@@ -34,16 +65,17 @@ template <class Take>
 void for_near_points(std::span<const std::uint32_t> words, std::uint32_t first, std::uint32_t end,
                      const Vector3& from, const double& limit, Take take) noexcept {
   constexpr auto in_block = static_cast<std::uint32_t>(octree_block_points);
+  FarFilter filter(from);
+  filter.set_limit(limit);
   for (std::uint32_t begin = first - first % in_block; begin < end; begin += in_block) {
-    const std::uint32_t* block = words.data() + octree_point_words * begin;
-    Doubles4 squared;
-    block_distances(block, from, squared);
-    if (squared[0] > limit && squared[1] > limit && squared[2] > limit && squared[3] > limit) continue;
-    for (std::uint32_t i = 0; i < in_block; ++i) {
-      const std::uint32_t place = begin + i;
-      if (place >= first && place < end && squared[i] <= limit)
-        take(OctreeNeighbour{block[12 + i], squared[i]});
+    if (filter.all_far(words.data() + octree_point_words * begin)) continue;
+    const std::uint32_t last = begin + in_block < end ? begin + in_block : end;
+    for (std::uint32_t place = begin < first ? first : begin; place < last; ++place) {
+      const OctreePoint p = OctreePoint::read(words, place);
+      const double squared = squared_length(p.position() - from);
+      if (squared <= limit) take(OctreeNeighbour{p.index, squared});
     }
+    filter.set_limit(limit);
   }
 }
 

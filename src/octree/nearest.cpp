@@ -10,8 +10,8 @@ namespace {
 /// Nodes that wait to be looked at. Each level leaves at most seven of eight children behind.
 struct Waiting {
   struct Entry {
-    double squared = 0;
-    std::uint32_t node = 0;
+    double squared;
+    std::uint32_t node;
   };
   Entry entries[7 * morton_levels + 1];
   std::uint32_t size = 0;
@@ -20,8 +20,11 @@ struct Waiting {
   void push_children(const OctreeNodes& nodes, std::uint32_t parent, const octree::NodeDistance& distance,
                      double limit) noexcept {
     const std::uint32_t bottom = size;
+    const octree::NodeDistance::Octants octants = distance.octants(nodes[parent]);
     for (std::uint32_t child = parent + 1; child < nodes[parent].next; child = nodes[child].next) {
-      const double squared = distance.squared(nodes[child]);
+      const std::uint64_t key = nodes[child].key;
+      const bool one_below = key >> 3U == nodes[parent].key;
+      const double squared = one_below ? octants.squared(key & 7U) : distance.squared(nodes[child]);
       if (squared > limit) continue;
       std::uint32_t at = size++;
       for (; at > bottom && entries[at - 1].squared < squared; --at) entries[at] = entries[at - 1];

@@ -16,10 +16,10 @@ constexpr bool is_position(const Vector3& p) noexcept {
 
 /// How near to a position a point of a node can be.
 ///
-/// Boxes are compared in the cells' frame, where their borders are integers. Cells are computed with an error
-/// of less than 2^-30 of a leaf inside the cube, and of less than 2^-49 of the coordinate far outside, so
-/// every side is moved out by that much: the result is never above the computed distance of a point in the
-/// node.
+/// Boxes are compared in the cells' frame, where their borders are integers. A position in the cube or within
+/// its size of it has an error of less than 2^-28 of a leaf there, so every side is moved out by that much.
+/// What is farther away is less exact, but its distance is large, and all squares are taken 2^-40 smaller. So
+/// the result is never above the computed distance of a point in the node.
 class NodeDistance {
  public:
   NodeDistance(const OctreeGrid& grid, const Vector3& position) noexcept
@@ -37,6 +37,24 @@ class NodeDistance {
     return squared_length(gap) * scale_;
   }
 
+  /// The same for all octants of a node: each takes one of two halves along each axis.
+  struct Octants {
+    double x[2], y[2], z[2];
+
+    double squared(std::uint64_t octant) const noexcept {
+      return x[octant & 1U] + y[octant >> 1U & 1U] + z[octant >> 2U & 1U];
+    }
+  };
+  Octants octants(const OctreeNode& inner) const noexcept {
+    const MortonCell cell = morton_decode(inner.code());
+    const std::uint32_t half = std::uint32_t{1} << static_cast<unsigned>(inner.level() - 1);
+    const auto side = static_cast<double>(half);
+    const auto scaled = [this](double gap) { return gap * gap * scale_; };
+    return {{scaled(x_.gap(cell.x, side)), scaled(x_.gap(cell.x + half, side))},
+            {scaled(y_.gap(cell.y, side)), scaled(y_.gap(cell.y + half, side))},
+            {scaled(z_.gap(cell.z, side)), scaled(z_.gap(cell.z + half, side))}};
+  }
+
  private:
   struct Range {
     double low = 0, high = 0;
@@ -46,14 +64,11 @@ class NodeDistance {
       const auto begin = static_cast<double>(static_cast<std::int32_t>(cell));
       const double below = begin - high;
       const double above = low - (begin + side);
-      const double outside = below > above ? below : above;
-      return outside > 0 ? outside : 0;
+      // One of them is 0; the sum needs no branch.
+      return (below > 0 ? below : 0) + (above > 0 ? above : 0);
     }
   };
-  static Range widened(double at) noexcept {
-    const double slack = 0x1p-30 + (at < 0 ? -at : at) * 0x1p-48;
-    return {at - slack, at + slack};
-  }
+  static Range widened(double at) noexcept { return {at - 0x1p-28, at + 0x1p-28}; }
 
   Range x_, y_, z_;
   double scale_;

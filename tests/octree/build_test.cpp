@@ -59,6 +59,18 @@ TEST_CASE("points outside the cube or not finite are counted and keep their plac
   CHECK(tree.octree.point(1).index == 4);
 }
 
+TEST_CASE("a point that is left out parts others of its neighbours' cell, also of the first cell of all") {
+  const float nan = std::nanf("");
+  constexpr double o = octree_origin_cell;
+  const Points points = {{0.5F, 0, 0}, {nan, 0, 0}, {0.25F, 0, 0}, {nan, nan, nan}, {0.75F, 0, 0}};
+  Tree tree(3, {.grid = {.origin = {o, o, o}, .leaf_m = 1}});
+  REQUIRE(tree.octree.build(test::view(points)).points == 3);
+  REQUIRE(tree.octree.nodes()[0].code() == 0);
+  CHECK(tree.octree.point(0).index == 0);
+  CHECK(tree.octree.point(1).index == 2);
+  CHECK(tree.octree.point(2).index == 4);
+}
+
 TEST_CASE("no points, or none that counts, is an empty octree") {
   const Points nothing = {{std::nanf(""), 0, 0}};
   Tree tree(4);

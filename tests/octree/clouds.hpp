@@ -46,9 +46,9 @@ inline Point in_box(straightedge::Pcg32& random, float half) {
 }
 
 /// Clouds that differ in what is hard about them.
-inline const std::vector<std::string> kinds = {"random",     "clusters", "plane",     "duplicates",
-                                               "line",       "borders",  "single",    "far",
-                                               "not finite", "huge",     "wide apart"};
+inline const std::vector<std::string> kinds = {"random",     "clusters", "plane",      "duplicates",
+                                               "line",       "borders",  "single",     "far",
+                                               "not finite", "huge",     "wide apart", "tiny"};
 
 inline Points cloud(const std::string& kind, std::size_t count, straightedge::Pcg32& random) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -82,6 +82,8 @@ inline Points cloud(const std::string& kind, std::size_t count, straightedge::Pc
       p = {p.x * 1e30F, p.y * 1e10F, p.z * 3e7F};
     } else if (kind == "wide apart") {
       p = in_box(random, 50'000);
+    } else if (kind == "tiny") {
+      p = in_box(random, 1e-22F);  // their squares are too small for floats
     }
     points.push_back(p);
   }

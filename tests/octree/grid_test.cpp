@@ -83,6 +83,17 @@ TEST_CASE("a fitted room needs no more levels than its extent") {
   }
 }
 
+TEST_CASE("the smallest corner of a fitted box is in the first cell behind the middle, wherever it lies") {
+  Pcg32 random(8);
+  for (int i = 0; i < 300; ++i) {
+    const test::Points points = {test::in_box(random, i < 150 ? 10.0F : 1e5F)};
+    const OctreeFit fit = fit_octree_grid(test::view(points), 0.01 + 0.001 * random.below(100));
+    MortonCell cell;
+    REQUIRE(fit.grid.cell_of(test::position(points[0]), cell));
+    REQUIRE(cell == MortonCell{morton_side / 2, morton_side / 2, morton_side / 2});
+  }
+}
+
 TEST_CASE("fitting refuses what it cannot fit, and fits all floats") {
   test::Points points{{1, 2, 3}};
   CHECK(fit_octree_grid({}, 0.05).status == Status::invalid_image);

@@ -156,6 +156,24 @@ TEST_CASE("box finds all points in the closed box and no other") {
   });
 }
 
+TEST_CASE("a point on its cell's border is found at exactly its distance") {
+  // In cells the position is 699054 and a little, which is rounded to 2^-33 of a cell; a box that is not
+  // widened by that would end farther away than the point in it.
+  const Points points = {{0.5F, 0.03125F, 0.03125F}};
+  Tree tree(1, {.grid = {.leaf_m = 0.1}});
+  REQUIRE(tree.octree.build(test::view(points)).points == 1);
+  for (int i = 0; i < 200; ++i) {
+    const Vector3 from{0.4 + i * 1e-12, 0.03125, 0.03125};
+    double distance = 0.5 - from.x;
+    while (distance * distance < squared_length(test::position(points[0]) - from))
+      distance = std::nextafter(distance, 1);
+    OctreeNeighbour out;
+    INFO(i);
+    REQUIRE(tree.octree.radius(from, distance, {&out, 1}).found == 1);
+    REQUIRE(tree.octree.nearest(from, out, distance).found == 1);
+  }
+}
+
 TEST_CASE("range queries answer in the order of leaves, then of indices") {
   Pcg32 random(77);
   const Points points = test::cloud("random", 2000, random);
