@@ -98,8 +98,8 @@ TEST_CASE("small faults are made good: the nearest rotation, far from any origin
     double length = 0;
     for (double& c : q) c = number(generator), length += c * c;
     std::string exact = "2000000.125 -1000 8848.5", scaled = exact;
-    for (const double c : q) exact += " " + io::to_text(c / std::sqrt(length));
-    for (const double c : q) scaled += " " + io::to_text(1.009 * c / std::sqrt(length));
+    for (const double c : q) exact.append(" ").append(io::to_text(c / std::sqrt(length)));
+    for (const double c : q) scaled.append(" ").append(io::to_text(1.009 * c / std::sqrt(length)));
     const Pose pose = poses_of(exact)[0].pose;
     CHECK(off_rotation(pose) < 1e-14);
     CHECK(pose.translation == Vector3{2000000.125, -1000, 8848.5});
