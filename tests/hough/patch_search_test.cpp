@@ -23,7 +23,7 @@ const Face box{test::plane_of({-0.6, 0.1, 0.8}, 1.3), 90, 60, 150, 130};
 
 }  // namespace
 
-TEST_CASE("one wall is one candidate, close to the truth") {
+TEST_CASE("patches: one wall is one candidate, close to the truth") {
   const Found found = find(test::room({wall}));
   REQUIRE(found.result.status == Status::ok);
   REQUIRE(found.candidates.size() == 1);
@@ -33,7 +33,7 @@ TEST_CASE("one wall is one candidate, close to the truth") {
   CHECK(found.result.readings == 320 * 240);
 }
 
-TEST_CASE("wall, floor and a box's face are three, the largest first") {
+TEST_CASE("patches: wall, floor and a box's face are three, the largest first") {
   const Found found = find(test::room({wall, floor_face, box}));
   REQUIRE(found.candidates.size() == 3);
   CHECK(has(found, wall.plane, 0.01, 0.01));
@@ -43,7 +43,7 @@ TEST_CASE("wall, floor and a box's face are three, the largest first") {
   CHECK(found.candidates[1].pixels >= found.candidates[2].pixels);
 }
 
-TEST_CASE("parallel planes ten centimetres apart stay two") {
+TEST_CASE("patches: parallel planes ten centimetres apart stay two") {
   const Face near{test::plane_of({0, 0, 1}, 2.0)};
   const Face behind{test::plane_of({0, 0, 1}, 2.1), 160};
   const Found found = find(test::room({near, behind}));
@@ -52,14 +52,14 @@ TEST_CASE("parallel planes ten centimetres apart stay two") {
   CHECK(has(found, behind.plane, 0.005, 0.005));
 }
 
-TEST_CASE("a wall in two parts that an occluder divides is one candidate") {
+TEST_CASE("patches: a wall in two parts that an occluder divides is one candidate") {
   const Face pillar{test::plane_of({0, 0, 1}, 1.2), 130, 0, 190};
   const Found found = find(test::room({wall, pillar}));
   REQUIRE(found.candidates.size() == 2);
   CHECK(has(found, wall.plane, 0.004, 0.004));
 }
 
-TEST_CASE("pixels with a label do not take part") {
+TEST_CASE("patches: pixels with a label do not take part") {
   const auto picture = test::room({wall, floor_face});
   Image<std::uint16_t> mask(picture.size(), std::uint16_t{0});
   for (std::int32_t y = 0; y < 150; ++y) std::fill_n(mask.view().row(y), 320, std::uint16_t{7});
@@ -69,7 +69,7 @@ TEST_CASE("pixels with a label do not take part") {
   CHECK(found.result.readings == 320 * 90);
 }
 
-TEST_CASE("without readings there is nothing") {
+TEST_CASE("patches: without readings there is nothing") {
   const Size size{320, 240};
   for (const float nothing : {0.0F, -1.0F, nan_f, std::numeric_limits<float>::infinity(), 2e4F}) {
     const Found found = find(Image<float>(size, nothing));
@@ -80,7 +80,7 @@ TEST_CASE("without readings there is nothing") {
   }
 }
 
-TEST_CASE("readings of no number are holes, in whichever pattern") {
+TEST_CASE("patches: readings of no number are holes, in whichever pattern") {
   auto picture = test::room({wall, floor_face});
   Pcg32 random(8);
   for (std::int32_t y = 0; y < 240; ++y) {
@@ -94,7 +94,7 @@ TEST_CASE("readings of no number are holes, in whichever pattern") {
   CHECK(has(found, floor_face.plane, 0.01, 0.01));
 }
 
-TEST_CASE("noise alone has no plane") {
+TEST_CASE("patches: noise alone has no plane") {
   Image<float> picture({320, 240}, 0.0F);
   Pcg32 random(5);
   for (std::int32_t i = 0; i < 320 * 240; ++i) {
@@ -105,7 +105,7 @@ TEST_CASE("noise alone has no plane") {
   CHECK(found.candidates.empty());
 }
 
-TEST_CASE("sizes that no cell divides, down to one pixel") {
+TEST_CASE("patches: sizes that no cell divides, down to one pixel") {
   for (const Size size : {Size{1, 1}, Size{7, 5}, Size{8, 8}, Size{33, 65}, Size{129, 70}}) {
     const Found found = find(test::depth_scene(size, test::camera_for(size), {wall}, 0, 1));
     CHECK(found.result.status == Status::ok);
@@ -116,7 +116,7 @@ TEST_CASE("sizes that no cell divides, down to one pixel") {
   }
 }
 
-TEST_CASE("planes far beyond the greatest distance share a cell and are still found") {
+TEST_CASE("patches: planes far beyond the greatest distance share a cell and are still found") {
   HoughPatchOptions options;
   const Face far{test::plane_of({0.2, 0, 1}, 1000)};
   const Face aside{test::plane_of({-0.5, 0.1, 1}, 900), 160};
@@ -126,14 +126,14 @@ TEST_CASE("planes far beyond the greatest distance share a cell and are still fo
   CHECK(has(found, aside.plane, 0.01, 5));
 }
 
-TEST_CASE("a fixed threshold in metres serves too") {
+TEST_CASE("patches: a fixed threshold in metres serves too") {
   const Found found = find(test::room({wall, floor_face}, 2e-4), {}, {}, PlaneGate{.fixed_m = 0.02});
   REQUIRE(found.candidates.size() == 2);
   CHECK(has(found, wall.plane, 0.01, 0.01));
   CHECK(has(found, floor_face.plane, 0.01, 0.01));
 }
 
-TEST_CASE("options that are no numbers or out of range are refused") {
+TEST_CASE("patches: options that are no numbers or out of range are refused") {
   const auto refused = [](auto member, auto value) {
     HoughPatchOptions options;
     options.*member = value;
@@ -157,7 +157,7 @@ TEST_CASE("options that are no numbers or out of range are refused") {
   refused(&O::accumulator, HoughAccumulatorOptions{HoughCells::ball, 2, 10});
 }
 
-TEST_CASE("views, sizes, gates and memory that do not fit are told") {
+TEST_CASE("patches: views, sizes, gates and memory that do not fit are told") {
   const Size size{64, 48};
   HoughPatchSearch search;
   std::array<HoughPlaneCandidate, 4> out;
@@ -187,7 +187,7 @@ TEST_CASE("views, sizes, gates and memory that do not fit are told") {
   CHECK(HoughPatchSearch::workspace_bytes({32767, 32767}, {}) == 0);
 }
 
-TEST_CASE("a full output has the largest") {
+TEST_CASE("patches: a full output has the largest") {
   const auto picture = test::room({wall, floor_face, box});
   const Found all = find(picture);
   REQUIRE(all.candidates.size() == 3);
@@ -201,7 +201,7 @@ TEST_CASE("a full output has the largest") {
   CHECK(find(picture, one).candidates.size() == 1);
 }
 
-TEST_CASE("the trace sees votes, peaks and planes, and can stop the run") {
+TEST_CASE("patches: the trace sees votes, peaks and planes, and can stop the run") {
   struct Seen {
     std::uint32_t counts[3] = {};
     std::uint32_t stop_after = UINT32_MAX;
@@ -225,7 +225,7 @@ TEST_CASE("the trace sees votes, peaks and planes, and can stop the run") {
   CHECK(impatient.counts[0] == 5);
 }
 
-TEST_CASE("what a run leaves behind: patches that tile, votes that count readings") {
+TEST_CASE("patches: what a run leaves behind: patches that tile, votes that count readings") {
   HoughPatchOptions options;
   options.rounds = 1;
   const Found found = find(test::room({wall, floor_face}), options);
