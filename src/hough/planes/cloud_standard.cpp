@@ -14,23 +14,44 @@ bool votes(const CloudJob& job, std::size_t i) noexcept {
   return job.memory.free[i] % job.options.every == 0;
 }
 
-/// Step 2 for the free points that have this label: +1 or, to take votes back, −1 (as an unsigned number).
-/// One direction after another, so that its distance cells stay near.
-template <class Takes>
-void cast(CloudJob& job, std::uint32_t vote, Takes takes) noexcept {
-  HoughAccumulator& accumulator = job.memory.accumulator;
-  for (std::int32_t direction = 0; direction < accumulator.directions().size(); ++direction) {
-    const Vector3& n = accumulator.directions().centre(direction);
-    for (std::size_t i = 0; i < job.left; ++i) {
-      if (!votes(job, i) || !takes(i)) continue;
-      const double d = dot(n, job.at(i));
-      if (d >= 0) accumulator.votes(direction, accumulator.distance_cell(d)) += vote;
+/// Some points that vote together: every direction is looked up once for all of them.
+struct Voters {
+  static constexpr std::size_t room = 1024;
+  std::array<float, room> x, y, z;
+  std::size_t count = 0;
+};
+
+/// Step 2. `vote` is +1 or, to take votes back, −1 (as an unsigned number).
+void cast(const Voters& voters, std::uint32_t vote, HoughAccumulator& accumulator) noexcept {
+  const HoughDirections& directions = accumulator.directions();
+  for (std::int32_t direction = 0; direction < directions.size(); ++direction) {
+    const Vector3& n = directions.centre(direction);
+    const auto nx = static_cast<float>(n.x), ny = static_cast<float>(n.y), nz = static_cast<float>(n.z);
+    for (std::size_t i = 0; i < voters.count; ++i) {
+      const float d = nx * voters.x[i] + ny * voters.y[i] + nz * voters.z[i];
+      if (d >= 0) accumulator.votes(direction, accumulator.distance_cell(static_cast<double>(d))) += vote;
     }
   }
 }
 
-Status cast_all(CloudJob& job) noexcept {
-  cast(job, 1, [](std::size_t) noexcept { return true; });
+/// The same for all free points that vote and that `takes` says.
+template <class Takes>
+void cast_all(CloudJob& job, std::uint32_t vote, Takes takes) noexcept {
+  Voters voters;
+  for (std::size_t i = 0; i < job.left; ++i) {
+    if (!votes(job, i) || !takes(i)) continue;
+    voters.x[voters.count] = job.memory.x[i];
+    voters.y[voters.count] = job.memory.y[i];
+    voters.z[voters.count] = job.memory.z[i];
+    if (++voters.count < Voters::room) continue;
+    cast(voters, vote, job.memory.accumulator);
+    voters.count = 0;
+  }
+  cast(voters, vote, job.memory.accumulator);
+}
+
+Status first_votes(CloudJob& job) noexcept {
+  cast_all(job, 1, [](std::size_t) noexcept { return true; });
   for (std::size_t i = 0; i < job.left; ++i) {
     if (!votes(job, i)) continue;
     ++job.votes;
@@ -70,14 +91,15 @@ Status next_plane(CloudJob& job, bool& more) noexcept {
 
 Status vote_standard(CloudJob& job) noexcept {
   // Step 2.
-  if (const Status status = cast_all(job); status != Status::ok) return status;
+  if (const Status status = first_votes(job); status != Status::ok) return status;
   while (job.left >= job.options.min_points && job.found < job.planes.size()) {
     // Steps 3 and 4.
     bool more = false;
     if (const Status status = next_plane(job, more); status != Status::ok) return status;
     if (!more) break;
     // Step 5.
-    cast(job, ~std::uint32_t{0}, [&](std::size_t i) noexcept { return job.labels[job.memory.free[i]] != 0; });
+    cast_all(job, ~std::uint32_t{0},
+             [&](std::size_t i) noexcept { return job.labels[job.memory.free[i]] != 0; });
     drop_labelled(job);
     FoundPlane& plane = job.planes[job.found++];
     plane.iterations = job.votes;
