@@ -1,22 +1,9 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include "hough/vote_bound.hpp"
 #include "straightedge/hough_randomized.hpp"
 
 namespace straightedge {
-namespace {
-
-/// ln x for x >= 1: halved until at most 2, then the series of 2 artanh((x - 1) / (x + 1)).
-double natural_logarithm(double x) noexcept {
-  double result = 0;
-  for (; x > 2; x /= 2) result += 0.6931471805599453;
-  const double u = (x - 1) / (x + 1);
-  double power = u;
-  for (int k = 1; k < 30; k += 2, power *= u * u) result += 2 * power / k;
-  return result;
-}
-
-}  // namespace
-
 double pair_hit_probability(const PairDrawing& drawing, const HoughOptions& options) noexcept {
   const double a = options.pair_min_distance;
   const double length = drawing.length < 2 * a ? 2 * a : drawing.length;
@@ -36,9 +23,8 @@ double pair_vote_spread(Size size, const HoughOptions& options) noexcept {
 }
 
 std::uint64_t draws_needed(const PairDrawing& drawing, Size size, const HoughOptions& options) noexcept {
-  const double k = natural_logarithm(1 / (1 - options.confidence));
-  const double root = (__builtin_sqrt(2 * k) + __builtin_sqrt(2 * k + 4.0 * options.pair_threshold)) / 2;
-  const double draws = root * root * pair_vote_spread(size, options) / pair_hit_probability(drawing, options);
+  const double votes = hough::mean_votes_needed(options.confidence, options.pair_threshold);
+  const double draws = votes * pair_vote_spread(size, options) / pair_hit_probability(drawing, options);
   if (draws >= 4e18) return std::uint64_t{4'000'000'000'000'000'000};
   return static_cast<std::uint64_t>(draws) + 1;
 }

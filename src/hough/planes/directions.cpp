@@ -142,10 +142,13 @@ HoughCellRange HoughDirections::range_in_row(std::int32_t r, double from_rad, do
 HoughCellRange HoughDirections::neighbours_in_row(std::int32_t cell, std::int32_t r,
                                                   std::int32_t other) const noexcept {
   const HoughRow& row = rows_[static_cast<std::size_t>(r)];
-  if (row.reach >= pi || row.count == 1) return {other, 0, rows_[static_cast<std::size_t>(other)].count};
+  const HoughRow& to = rows_[static_cast<std::size_t>(other)];
+  // The larger reach of both rows, so that neighbours are so mutually.
+  const double reach = row.reach > to.reach ? row.reach : to.reach;
+  if (reach >= pi || row.count == 1) return {other, 0, to.count};
   const std::int32_t k = cell - row.first;
   const double width = 2 * pi / row.count;
-  return range_in_row(other, -pi + k * width - row.reach, -pi + (k + 1) * width + row.reach);
+  return range_in_row(other, -pi + k * width - reach, -pi + (k + 1) * width + reach);
 }
 
 HoughDirections::Near HoughDirections::near_of(const Vector3& direction, double angle_rad) const noexcept {

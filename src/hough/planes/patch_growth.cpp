@@ -29,7 +29,10 @@ bool near_peak(const PatchScene& scene, const HoughPatch& patch, const Plane& pe
   // A plane near the camera may stand in the accumulator with its normal turned round.
   const bool turned = dot(peak.normal, patch.space.normal) < 0;
   const Vector3 normal = turned ? -peak.normal : peak.normal;
-  const double off = dot(normal, patch.point) - (turned ? -peak.distance : peak.distance);
+  // Planes beyond the greatest distance stand in the last cell.
+  const double last = scene.options.max_distance_m - scene.step_m / 2;
+  const double distance = dot(normal, patch.point);
+  const double off = (distance < last ? distance : last) - (turned ? -peak.distance : peak.distance);
   return off <= scene.step_m && off >= -scene.step_m && kernel_distance(patch, normal) < vote_reach_squared;
 }
 

@@ -72,7 +72,7 @@ Status vote(Search& search, std::uint32_t& voters) noexcept {
     const HoughPatch& patch = search.patches[i];
     if (!patch.votes || patch.candidate != 0) continue;
     if (voters == 0) accumulator.clear(search.scene.step_m);
-    hough::cast_vote(patch, search.scene.cell_size_rad, accumulator);
+    hough::cast_vote(patch, accumulator);
     ++voters;
     if (!search.trace({.step = HoughPlaneStep::vote, .plane = patch.space, .voter = i})) {
       return Status::cancelled;

@@ -25,9 +25,9 @@ struct PatchScene {
   Plane space(const InverseDepthPlane& plane) const noexcept {
     const Vector3 m{plane.a * camera.fx, plane.b * camera.fy,
                     plane.c + plane.a * camera.cx + plane.b * camera.cy};
-    const double size = length(m);
-    if (!(size > 0) || !(size < 1e100)) return {};
-    return {(1 / size) * m, 1 / size};
+    const double per_distance = length(m);
+    if (!(per_distance > 0) || !(per_distance < 1e100)) return {};
+    return {(1 / per_distance) * m, 1 / per_distance};
   }
 };
 

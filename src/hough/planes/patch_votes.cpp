@@ -81,11 +81,12 @@ double kernel_distance(const HoughPatch& patch, const Vector3& direction) noexce
   return u * (uu * u + 2 * uv * v) + vv * v * v;
 }
 
-void cast_vote(const HoughPatch& patch, double cell_size_rad, HoughAccumulator& accumulator) noexcept {
+void cast_vote(const HoughPatch& patch, HoughAccumulator& accumulator) noexcept {
   const HoughDirections& directions = accumulator.directions();
   const auto& [uu, uv, vv] = patch.precision;
-  // The kernel's integral over the tangent plane is 2 pi sqrt(det of the covariance).
-  const double share = cell_size_rad * cell_size_rad * __builtin_sqrt(uu * vv - uv * uv) / (2 * pi);
+  // The kernel's integral over the tangent plane is 2 pi sqrt(det of the covariance), a cell's area 4 pi by
+  // their number.
+  const double share = 2 * __builtin_sqrt(uu * vv - uv * uv) / directions.size();
   const double scale = hough_patch_vote * patch.moments.n * share;
   directions.for_near(patch.space.normal, patch.reach_rad, [&](std::int32_t cell) noexcept {
     const Vector3& n = directions.centre(cell);

@@ -15,6 +15,6 @@ double kernel_distance(const HoughPatch& patch, const Vector3& direction) noexce
 inline constexpr double vote_reach_squared = 6;
 
 /// Step 3 of hough_plane_patches.hpp.
-void cast_vote(const HoughPatch& patch, double cell_size_rad, HoughAccumulator& accumulator) noexcept;
+void cast_vote(const HoughPatch& patch, HoughAccumulator& accumulator) noexcept;
 
 }  // namespace straightedge::hough

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/hough_plane_peaks.hpp"
 
+#include <array>
+
 namespace straightedge {
 namespace {
 
@@ -23,6 +25,23 @@ struct Field {
     return values[index(direction, k - 1)] + 2 * std::uint64_t{values[index(direction, k)]} + above;
   }
 };
+
+constexpr std::int32_t piece = 128;
+using Piece = std::array<std::uint64_t, piece>;
+
+/// Step 1 of the low-pass for distances from k0 up to k1, added to the sums.
+void add_along(const Field& field, std::int32_t direction, std::int32_t k0, std::int32_t k1,
+               Piece& sums) noexcept {
+  const std::uint32_t* const row = field.values.data() + field.index(direction, 0);
+  const std::int32_t first = k0 == 0 ? 1 : k0;
+  const std::int32_t end = k1 == field.accumulator.distances() ? k1 - 1 : k1;
+  if (k0 == 0) sums[0] += field.along_distance(direction, 0);
+  for (std::int32_t k = first; k < end; ++k) {
+    sums[static_cast<std::size_t>(k - k0)] +=
+        std::uint64_t{row[k - 1]} + row[k + 1] + 2 * std::uint64_t{row[k]};
+  }
+  if (end < k1 && end > 0) sums[static_cast<std::size_t>(end - k0)] += field.along_distance(direction, end);
+}
 
 bool is_peak(const Field& field, std::int32_t direction, std::int32_t k) noexcept {
   const std::size_t own = field.index(direction, k);
@@ -65,18 +84,25 @@ Status low_pass_votes(const HoughAccumulator& accumulator, std::span<std::uint32
   const Field field{accumulator, accumulator.votes()};
   const HoughDirections& directions = accumulator.directions();
   for (std::int32_t direction = 0; direction < directions.size(); ++direction) {
-    for (std::int32_t k = 0; k < accumulator.distances(); ++k) {
+    for (std::int32_t k0 = 0; k0 < accumulator.distances(); k0 += piece) {
+      const std::int32_t left = accumulator.distances() - k0;
+      const std::int32_t k1 = k0 + (left < piece ? left : piece);
       // Step 1.
-      const std::uint64_t own = field.along_distance(direction, k);
+      Piece own{}, sum{};
+      add_along(field, direction, k0, k1, own);
       // Step 2.
-      std::uint64_t sum = 0, neighbours = 0;
+      std::uint64_t neighbours = 0;
       directions.for_neighbours(direction, [&](std::int32_t other) noexcept {
         if (other == direction) return;
-        sum += field.along_distance(other, k);
+        add_along(field, other, k0, k1, sum);
         ++neighbours;
       });
-      const std::uint64_t value = own + sum / neighbours;
-      smooth[field.index(direction, k)] = value < UINT32_MAX ? static_cast<std::uint32_t>(value) : UINT32_MAX;
+      for (std::int32_t k = k0; k < k1; ++k) {
+        const auto at = static_cast<std::size_t>(k - k0);
+        const std::uint64_t value = own[at] + sum[at] / neighbours;
+        smooth[field.index(direction, k)] =
+            value < UINT32_MAX ? static_cast<std::uint32_t>(value) : UINT32_MAX;
+      }
     }
   }
   return Status::ok;
