@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "ransac/plane_model.hpp"
+#include "ransac/rows.hpp"
+#include "straightedge/ransac_planes.hpp"
+
+namespace straightedge::ransac {
+
+/// The readings on which hypotheses are made and scored.
+struct Subset {
+  const Readings& readings;
+  const detail::RansacPlanesMemory& memory;
+  std::uint32_t count = 0;
+
+  Rows rows() const noexcept {
+    return {memory.x.data(), memory.y.data(), memory.z.data(), memory.w.data(), padded(count)};
+  }
+  Reading at(std::uint32_t i) const noexcept {
+    Reading r;
+    (void)readings.read(memory.reading[i], r);
+    return r;
+  }
+};
+
+/// Step 1. One by chance of each of at most `most` equal parts of the readings with label 0: squares of a
+/// frame's pixels, runs of a cloud's readings.
+void draw_subset(Subset& subset, std::span<const std::uint16_t> labels, std::uint32_t most,
+                 std::uint64_t seed, std::uint64_t stream) noexcept;
+
+/// Numbers of the subset's members within the radius of number i, itself left out, into memory.near.
+std::uint32_t find_near(const Subset& subset, std::uint32_t i, double radius) noexcept;
+
+Coefficients coefficients(const LinearPlane& plane) noexcept;
+
+}  // namespace straightedge::ransac
