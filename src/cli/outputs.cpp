@@ -28,7 +28,7 @@ bool is_device(const std::string& path) {
 Result<Done> check_name(const Output& output) {
   if (output.path.empty())
     return Failure{Problem::bad_option, output.option + ": the name of the file is empty"};
-  if (is_stream(output) || is_device(output.path)) return Done{};
+  if (is_stream(output) || is_device(output.path) || output.extension.empty()) return Done{};
   if (lower_case(fs::path(output.path).extension().string()) == output.extension) return Done{};
   return Failure{Problem::bad_option, output.path + ": the name of the file for " + output.option +
                                           " must end in " + output.extension};

@@ -15,7 +15,7 @@ namespace straightedge::cli {
 struct Output {
   std::string option;     ///< that named it, such as "--svg"
   std::string path;       ///< "-" is standard output
-  std::string extension;  ///< that its name must have, such as ".svg"
+  std::string extension;  ///< that its name must have, such as ".svg"; empty: any
   std::string bytes;      ///< what will be in it
 };
 

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/streams.hpp"
+
 namespace straightedge::cli {
 namespace {
 
@@ -37,6 +39,17 @@ Progress::~Progress() {
   }
   changed_.notify_one();
   thread_.join();
+}
+
+void Progress::tell(std::string what) {
+  const std::lock_guard lock(mutex_);
+  what_ = std::move(what);
+}
+
+void Progress::say(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  if (thread_.joinable()) print("\r\x1B[K");
+  print_words(line);
 }
 
 void Progress::count_seconds() {

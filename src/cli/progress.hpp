@@ -18,6 +18,11 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// Other words from the next second on.
+  void tell(std::string what);
+  /// A line for a person, on stderr, even if `quiet`; not in the midst of the line that counts.
+  void say(const std::string& line);
+
  private:
   void count_seconds();
 

@@ -3,7 +3,6 @@
 #include "straightedge/host/atomic_file.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,27 +10,12 @@
 #include <string>
 #include <system_error>
 
+#include "io/deferred_signals.hpp"
+
 namespace straightedge {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A killed program would leave the file that was written aside, so signals that end it wait.
-class DeferredSignals {
- public:
-  DeferredSignals() {
-    sigset_t ending;
-    sigemptyset(&ending);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&ending, signal);
-    pthread_sigmask(SIG_BLOCK, &ending, &before_);
-  }
-  ~DeferredSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  DeferredSignals(const DeferredSignals&) = delete;
-  DeferredSignals& operator=(const DeferredSignals&) = delete;
-
- private:
-  sigset_t before_;
-};
 
 Failure cannot_write(const fs::path& file, int error) {
   return {Problem::cannot_write,
@@ -112,7 +96,7 @@ Result<Done> write_file_atomically(const fs::path& file, std::string_view bytes)
     target = fs::weakly_canonical(file, error);
     if (error) return cannot_write(file, error.value());
   }
-  const DeferredSignals deferred;
+  const io::DeferredSignals deferred;
   return write_aside_and_rename(file, target, bytes, exists ? &old : nullptr);
 }
 

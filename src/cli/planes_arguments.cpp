@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "cli/planes_arguments.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/number_option.hpp"
+#include "cli/outputs.hpp"
+#include "io/number_text.hpp"
+
+namespace straightedge::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28U;
+constexpr std::uint64_t most_points = std::uint64_t{1} << 31U;
+
+Failure refusal(const std::string& input, const std::string& sentence) {
+  return {Problem::bad_option, input + ": " + sentence};
+}
+
+}  // namespace
+
+std::string name_of(PlaneMethod method) {
+  return method == PlaneMethod::ransac ? "ransac" : "hough";
+}
+
+bool is_cloud_file(const std::string& input) {
+  const std::string ending = lower_case(fs::path(input).extension().string());
+  return ending == ".pcd" || ending == ".ply";
+}
+
+void PlanesArguments::add_to(CLI::App& command) {
+  add_input(command);
+  add_outputs(command);
+  add_detection(command);
+  add_map(command);
+}
+
+void PlanesArguments::add_input(CLI::App& command) {
+  command
+      .add_option("INPUT", input,
+                  "a folder of depth frames with poses, a 16-bit depth PNG or PGM, or a PCD or PLY cloud; "
+                  "- is standard input (a depth picture)")
+      ->required();
+  command
+      .add_option("--camera", camera,
+                  "intrinsics of the depth camera; without it camera.json in the input's folder or above it")
+      ->type_name("CAMERA.json");
+  depth_scale_option_ = add_real(command, "--depth-scale", depth_scale_, {0, 1e9, false}, "UNITS",
+                                 "depth units a metre, in place of the camera's");
+  depth_scale_option_->default_str("the camera's");
+  command
+      .add_option("--trajectory", trajectory,
+                  "poses of a folder's frames, camera to world; without it the folder's own")
+      ->type_name("POSES");
+  command.add_flag("--strict", strict, "the first bad frame is a failure; without it bad frames are skipped");
+}
+
+void PlanesArguments::add_outputs(CLI::App& command) {
+  command.add_option("-o,--output", xml, "where the plane map goes; - is standard output")
+      ->type_name("MAP.xml");
+  command
+      .add_option("--labels", labels,
+                  "a 16-bit PNG for each frame, named like it: 0 no plane, else the id of the map's plane; "
+                  "the folder is made when there is none")
+      ->type_name("DIR");
+  command
+      .add_option("--ply", ply,
+                  "the readings in the world, coloured by plane; of a cloud all points with their label; the "
+                  "planes' extents if the name ends in .polygons.ply")
+      ->type_name("OUT.ply");
+  add_whole(command, "--ply-points", ply_points, {1, most_points}, "N",
+            "of more readings of frames every n-th is kept");
+  command.add_option("--ply-polygons", ply_polygons, "the extents of the planes as coloured triangles")
+      ->type_name("OUT.ply");
+  command.add_option("--html", html, "a page on which the map can be turned")->type_name("VIEW.html");
+  command.add_option("--svg", svg, "the map from above and from a corner")->type_name("OUT.svg");
+  command.add_option("--leaves", leaves, "the sums behind the map, for merging without loss")
+      ->type_name("FILE");
+}
+
+void PlanesArguments::add_detection(CLI::App& command) {
+  add_choice(
+      command, "--method", methods,
+      {{"ransac", Methods::ransac}, {"hough", Methods::hough}, {"both", Methods::both}},
+      "how planes are found; both compares the two, and puts -ransac and -hough into the outputs' names");
+  add_real(command, "--sigma", gate_.inverse_sigma, {0, 1, false}, "1/METRES",
+           "standard deviation of 1/depth");
+  add_real(command, "--sigmas", gate_.sigmas, {0, 100, false}, "SIGMAS",
+           "how far from a plane its readings may lie");
+  add_real(command, "--threshold", gate_.fixed_m, {0, 1000}, "METRES",
+           "the same in metres, whatever the depth; 0 takes --sigma and --sigmas");
+  add_whole(command, "--min-pixels", min_pixels_, {0, most_pixels}, "PIXELS",
+            "smaller planes of a frame are dropped; 0 is a thousandth of the frame, at least 64");
+  add_whole(command, "--max-planes", max_planes_, {1, 256}, "N", "planes of a frame");
+}
+
+void PlanesArguments::add_map(CLI::App& command) {
+  add_whole(command, "--min-points", min_points_, {0, most_points}, "READINGS",
+            "planes of the map with fewer are dropped");
+  add_choice(command, "--up", up,
+             {{"auto", UpAxis::automatic}, {"z", UpAxis::z}, {"y", UpAxis::y}, {"-y", UpAxis::minus_y}},
+             "which axis points up in pictures; auto: as the cameras say");
+  command
+      .add_option("--name", name, "of the map, in the file; without it the input's name without its ending")
+      ->type_name("TEXT");
+  command.add_option("--description", description, "of the map, in the file")->type_name("TEXT");
+  command.add_option("--created", created, "time in the file; NOW is the present, without it there is none")
+      ->type_name("TEXT");
+}
+
+std::vector<PlaneMethod> PlanesArguments::method_list() const {
+  if (methods == Methods::ransac) return {PlaneMethod::ransac};
+  if (methods == Methods::hough) return {PlaneMethod::hough};
+  return {PlaneMethod::ransac, PlaneMethod::hough};
+}
+
+PlaneDetectorOptions PlanesArguments::detector_options(PlaneMethod method) const {
+  PlaneDetectorOptions options;
+  options.method = method;
+  options.frame.gate = gate_;
+  options.frame.min_pixels = static_cast<std::uint32_t>(min_pixels_);
+  options.frame.max_planes = static_cast<std::uint32_t>(max_planes_);
+  options.ransac.seed = common.seed;
+  if (min_pixels_ > 0) {
+    options.ransac.min_pixels = std::min(options.ransac.min_pixels, min_pixels_);
+    options.hough.min_pixels = std::min(options.hough.min_pixels, options.frame.min_pixels);
+  }
+  return options;
+}
+
+PlaneMapOptions PlanesArguments::map_options() const {
+  PlaneMapOptions options;
+  options.gate = gate_;
+  options.min_points = min_points_;
+  return options;
+}
+
+std::optional<double> PlanesArguments::units_per_metre() const {
+  if (depth_scale_option_->count() == 0) return {};
+  return depth_scale_;
+}
+
+SequenceOptions PlanesArguments::sequence_options() const {
+  SequenceOptions options;
+  if (!camera.empty()) options.camera = camera;
+  if (!trajectory.empty()) options.trajectory = trajectory;
+  options.units_per_metre = units_per_metre();
+  return options;
+}
+
+std::string PlanesArguments::words(PlaneMethod method) const {
+  std::string text = name_of(method) + ", ";
+  text += gate_.fixed_m > 0
+              ? "threshold " + io::to_text(gate_.fixed_m)
+              : "sigma " + io::to_text(gate_.inverse_sigma) + ", sigmas " + io::to_text(gate_.sigmas);
+  text += ", min-pixels " + io::to_text(min_pixels_) + ", max-planes " + io::to_text(max_planes_);
+  text += ", min-points " + io::to_text(min_points_);
+  if (const auto units = units_per_metre()) text += ", depth-scale " + io::to_text(*units);
+  return text + ", seed " + io::to_text(common.seed) + "; of " + input_name();
+}
+
+std::string PlanesArguments::input_name() const {
+  const fs::path whole = fs::absolute(input_path(input)).lexically_normal();
+  return base_name(whole.has_filename() ? whole : whole.parent_path());
+}
+
+Result<Done> PlanesArguments::check() const {
+  std::error_code error;
+  const bool folder = fs::is_directory(input, error);
+  if (is_cloud_file(input) && !folder) {
+    if (!camera.empty()) return refusal(input, "a cloud has no camera; leave --camera out");
+    if (units_per_metre()) return refusal(input, "a cloud has no depth scale; leave --depth-scale out");
+    if (!labels.empty()) return refusal(input, "a cloud has no frames for --labels; --ply has its labels");
+  }
+  if (!folder && !trajectory.empty())
+    return refusal(input, "--trajectory is for a folder of frames; leave it out");
+  return Done{};
+}
+
+}  // namespace straightedge::cli

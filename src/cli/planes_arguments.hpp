@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "straightedge/host/depth_sequence.hpp"
+#include "straightedge/host/plane_detector.hpp"
+#include "straightedge/host/plane_map_builder.hpp"
+#include "straightedge/host/plane_view.hpp"
+
+namespace straightedge::cli {
+
+/// `ransac` or `hough`, as options and files say it.
+std::string name_of(PlaneMethod method);
+
+/// What `planes` is told. The object must stay where it is until the arguments are parsed.
+struct PlanesArguments {
+  enum class Methods : std::uint8_t { ransac, hough, both };
+
+  CommonArguments common;
+  std::string input;
+  Methods methods = Methods::ransac;
+  bool strict = false;
+  UpAxis up = UpAxis::automatic;
+  std::uint64_t ply_points = 2'000'000;
+  std::string xml, labels, ply, ply_polygons, html, svg, leaves;  ///< empty: not wanted
+  std::string camera, trajectory;                                 ///< empty: not given
+  std::string name, description, created;
+
+  void add_to(CLI::App& command);
+
+  std::vector<PlaneMethod> method_list() const;
+  PlaneDetectorOptions detector_options(PlaneMethod method) const;
+  PlaneMapOptions map_options() const;
+  SequenceOptions sequence_options() const;
+  std::optional<double> units_per_metre() const;
+  /// The options of one method in words, seed and the input's name included, as files hold them.
+  std::string words(PlaneMethod method) const;
+  /// Without folders, and without a slash at the end.
+  std::string input_name() const;
+  /// Fails with `bad_option` where options contradict the kind of input, or lack a name.
+  Result<Done> check() const;
+
+ private:
+  void add_input(CLI::App& command);
+  void add_outputs(CLI::App& command);
+  void add_detection(CLI::App& command);
+  void add_map(CLI::App& command);
+
+  PlaneGate gate_;
+  std::int32_t min_pixels_ = 0;
+  std::int32_t max_planes_ = 64;
+  std::uint64_t min_points_ = PlaneMapOptions{}.min_points;
+  double depth_scale_ = 0;
+  CLI::Option* depth_scale_option_ = nullptr;
+};
+
+/// The ending says what the input is: .pcd and .ply are clouds.
+bool is_cloud_file(const std::string& input);
+
+}  // namespace straightedge::cli

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "cli/planes_outputs.hpp"
+
+#include <algorithm>
+
+#include "io/png16.hpp"
+#include "straightedge/host/depth_file.hpp"
+#include "straightedge/host/plane_map_file.hpp"
+#include "straightedge/host/plane_view.hpp"
+
+namespace straightedge::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_ids = 65535;  // what a 16-bit picture can hold
+
+std::string with_method(const std::string& path, PlaneMethod method) {
+  if (path == "-") return path;
+  const fs::path whole = path;
+  return (whole.parent_path() / (whole.stem().string() + "-" + name_of(method) + whole.extension().string()))
+      .string();
+}
+
+std::vector<Pose> camera_path(const PlanesRun& run) {
+  std::vector<Pose> path;
+  for (const SequenceFrame& frame : run.frames) path.push_back(*frame.pose);
+  return path;
+}
+
+Image<std::uint16_t> label_image(const PlanesRun& run, const MethodFrame& frame) {
+  Image<std::uint16_t> labels(run.size);
+  const std::vector<std::uint32_t> ids = ids_of(frame.labels, frame.ids);
+  std::transform(ids.begin(), ids.end(), labels.view().data,
+                 [](std::uint32_t id) { return static_cast<std::uint16_t>(id); });
+  return run.camera.distortion.none() ? labels : distorted(labels, run.camera);
+}
+
+}  // namespace
+
+PlanesOutputs::PlanesOutputs(const PlanesArguments& arguments)
+    : arguments_(arguments), methods_(arguments.method_list()) {
+  for (const PlaneMethod method : methods_) {
+    const auto add = [&](const std::string& option, const std::string& path, const std::string& extension) {
+      if (path.empty()) return;
+      outputs_.push_back({option, methods_.size() > 1 ? with_method(path, method) : path, extension, {}});
+    };
+    add("--output", arguments.xml, ".xml");
+    add("--html", arguments.html, ".html");
+    add("--svg", arguments.svg, ".svg");
+  }
+}
+
+Result<Done> PlanesOutputs::check(const std::vector<fs::path>& inputs,
+                                  const std::vector<SequenceFrame>& frames) const {
+  if (auto fine = check_outputs(outputs_, inputs, arguments_.common.json); !fine) return fine;
+  if (arguments_.labels.empty()) return Done{};
+  return check_label_folder(arguments_.labels, frames);
+}
+
+Result<Done> PlanesOutputs::fill(const PlanesRun& run) {
+  const std::vector<Pose> path = camera_path(run);
+  for (std::size_t i = 0; i < outputs_.size(); ++i) {
+    Output& output = outputs_[i];
+    const PlaneMap& map = run.methods[i * methods_.size() / outputs_.size()].reading.map;
+    if (output.extension == ".xml") {
+      auto xml = plane_map_to_xml(map);
+      if (!xml) return Failure{xml.failure().problem, arguments_.input + ": " + xml.failure().sentence};
+      output.bytes = std::move(*xml);
+    } else if (output.extension == ".html") {
+      output.bytes =
+          plane_map_html(map, {.title = {}, .up = arguments_.up, .camera_path = path, .points = {}});
+    } else {
+      output.bytes = plane_map_svg(map, {.title = {}, .up = arguments_.up, .camera_path = path});
+    }
+  }
+  return arguments_.labels.empty() ? Done{} : fill_labels(run);
+}
+
+Result<Done> PlanesOutputs::fill_labels(const PlanesRun& run) {
+  for (const MethodRun& method : run.methods) {
+    if (method.reading.map.planes.size() > most_ids)
+      return Failure{Problem::bad_content, arguments_.input +
+                                               ": its map has more planes than the 65535 that "
+                                               "label pictures can tell apart"};
+    const fs::path folder = run.methods.size() > 1 ? name_of(method.method) : "";
+    for (std::size_t i = 0; i < run.frames.size(); ++i) {
+      auto png = io::encode_png16(label_image(run, method.frames[i]));
+      if (!png) return Failure{png.failure().problem, arguments_.labels + ": " + png.failure().sentence};
+      labels_.push_back({folder / label_name(run.frames[i]), std::move(*png)});
+    }
+  }
+  return Done{};
+}
+
+Result<Done> PlanesOutputs::write() const {
+  if (auto written = write_outputs(outputs_); !written) return written;
+  if (labels_.empty()) return Done{};
+  auto written = write_folder(arguments_.labels, labels_);
+  if (written || outputs_.empty()) return written;
+  return Failure{written.failure().problem,
+                 written.failure().sentence + "; written before: " + names_of(outputs_)};
+}
+
+std::string PlanesOutputs::names() const {
+  std::string names = names_of(outputs_);
+  if (!labels_.empty()) names += (names.empty() ? "" : ", ") + arguments_.labels;
+  return names;
+}
+
+}  // namespace straightedge::cli
