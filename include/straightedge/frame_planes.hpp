@@ -13,30 +13,13 @@
 #include "straightedge/detail/quadratic_surface.hpp"
 #include "straightedge/found_planes.hpp"
 #include "straightedge/inverse_depth.hpp"
+#include "straightedge/plane_search.hpp"
 
 namespace straightedge {
 
 namespace detail {
 class PlaneSurfaces;
 }
-
-/// A plane that a search proposes; which pixels are its own is settled afterwards.
-struct ProposedPlane {
-  InverseDepthFit fit;
-  double score = 0;              ///< as FoundPlane::score
-  double confidence = 0;         ///< as FoundPlane::confidence
-  std::uint32_t iterations = 0;  ///< as FoundPlane::iterations
-};
-
-/// The method: looks at the readings (inverse depth above 0) whose label is 0 and writes planes, strongest
-/// first; returns how many. RANSAC and the Hough transform are two of them (ransac_frame.hpp,
-/// hough_frame.hpp).
-struct PlaneSearch {
-  void* user = nullptr;
-  std::uint32_t (*run)(void* user, ImageView<const float> inverse_depth,
-                       ImageView<const std::uint16_t> labels, const PinholeCamera& camera,
-                       std::span<ProposedPlane> out) noexcept = nullptr;
-};
 
 struct FramePlanesOptions {
   PlaneGate gate;
@@ -120,7 +103,8 @@ class FramePlanes {
     }
     const std::size_t small_cells = DepthCells::cell_count(DepthCells::size_of(size, 0));
     visited_ = arena.take<std::uint16_t>(small_cells);
-    list_ = arena.take<std::int32_t>(small_cells);
+    list_ =
+        arena.take<std::int32_t>(small_cells + static_cast<std::size_t>(DepthCells::size_of(size, 0).width));
     candidates_ = arena.take<ProposedPlane>(options.max_planes);
     surfaces_ = arena.take<detail::BentPlane>(options.max_planes);
     sums_ = arena.take<detail::QuadraticSums>(options.max_planes);

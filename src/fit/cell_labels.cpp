@@ -17,71 +17,91 @@ constexpr double least_share = 0.2;
 
 struct Best {
   std::uint16_t label = 0;
-  double mean_square = 1e300;
+  double squares = 1e300;
 
   void offer(std::uint16_t plane, const InverseDepthMoments& cell,
              std::span<const BentPlane> planes) noexcept {
     const double found =
         squared_residuals(cell, planes[plane - 1U].tangent(cell.u / cell.n, cell.v / cell.n));
-    if (found < mean_square) {
-      mean_square = found;
+    if (found < squares) {
+      squares = found;
       label = plane;
     }
   }
 };
 
-/// The best of the planes of the 3x3 coarser cells around a cell.
-Best best_around(const InverseDepthMoments& cell, std::int32_t x, std::int32_t y, Size coarse,
-                 std::span<const std::uint16_t> labels, std::span<const BentPlane> planes) noexcept {
-  Best best;
-  std::array<std::uint16_t, 9> tried{};
+/// The different planes of the 3x3 cells around one of a coarser level.
+struct Around {
+  std::array<std::uint16_t, 9> labels{};
   std::size_t count = 0;
-  for (std::int32_t j = std::max(y - 1, 0); j <= std::min(y + 1, coarse.height - 1); ++j) {
-    for (std::int32_t i = std::max(x - 1, 0); i <= std::min(x + 1, coarse.width - 1); ++i) {
-      const std::uint16_t label =
-          labels[static_cast<std::size_t>(j) * static_cast<std::size_t>(coarse.width) +
-                 static_cast<std::size_t>(i)];
-      if (label == 0) continue;
-      const auto end = tried.begin() + static_cast<std::ptrdiff_t>(count);
-      if (std::find(tried.begin(), end, label) != end) continue;
-      tried[count++] = label;
-      best.offer(label, cell, planes);
+
+  Around(Size size, std::span<const std::uint16_t> of_cells, std::int32_t x, std::int32_t y) noexcept {
+    const std::int32_t left = std::max(x - 1, 0), right = std::min(x + 1, size.width - 1);
+    for (std::int32_t j = std::max(y - 1, 0); j <= std::min(y + 1, size.height - 1); ++j) {
+      const std::uint16_t* row = of_cells.data() + static_cast<std::ptrdiff_t>(j) * size.width;
+      for (std::int32_t i = left; i <= right; ++i) add(row[i]);
     }
   }
-  return best;
+  void add(std::uint16_t label) noexcept {
+    if (label == 0 || (count > 0 && labels[count - 1] == label)) return;
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+      if (labels[k] == label) return;
+    }
+    labels[count++] = label;
+  }
+};
+
+std::uint16_t label_of(const InverseDepthMoments& cell, std::span<const std::uint16_t> around,
+                       const PlaneGate& gate, int level, std::span<const BentPlane> planes) noexcept {
+  const double noise = gate.inverse_noise(cell.q / cell.n);
+  const double unit = cell.n * noise * noise;
+  Best best;
+  for (const std::uint16_t label : around) best.offer(label, cell, planes);
+  if (best.squares < pure_of_neighbour[static_cast<std::size_t>(level)] * unit) return best.label;
+  for (std::size_t k = 1; k <= planes.size(); ++k) best.offer(static_cast<std::uint16_t>(k), cell, planes);
+  return best.squares < pure * unit ? best.label : std::uint16_t{0};
 }
 
-std::uint16_t label_of(const InverseDepthMoments& cell, const Best& around, double variance, int level,
-                       std::span<const BentPlane> planes) noexcept {
-  const double unit = cell.n * variance;
-  if (around.mean_square < pure_of_neighbour[static_cast<std::size_t>(level)] * unit) return around.label;
-  Best best;
-  for (std::size_t k = 1; k <= planes.size(); ++k) best.offer(static_cast<std::uint16_t>(k), cell, planes);
-  return best.mean_square < pure * unit ? best.label : std::uint16_t{0};
-}
+/// The labels of one level; a block of 2x2 cells lies in one coarser cell and shares what is around.
+struct Level {
+  const DepthCells& cells;
+  std::span<const BentPlane> planes;
+  const PlaneGate& gate;
+  const CellLabels& labels;
+  int level;
+
+  void block(std::int32_t x, std::int32_t y) const noexcept {
+    const Size size = cells.size(level);
+    const bool coarsest = level + 1 == DepthCells::levels;
+    const Around around =
+        coarsest ? Around({}, {}, 0, 0)
+                 : Around(cells.size(level + 1), labels[static_cast<std::size_t>(level) + 1], x / 2, y / 2);
+    const std::int32_t side = DepthCells::side << level;
+    const double least = least_share * side * side;
+    for (std::int32_t j = y; j < std::min(y + 2, size.height); ++j) {
+      for (std::int32_t i = x; i < std::min(x + 2, size.width); ++i) {
+        const auto place =
+            static_cast<std::size_t>(j) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(i);
+        const InverseDepthMoments& cell = cells.level(level)[place];
+        std::uint16_t label = 0;
+        if (cell.n >= least) {
+          label = label_of(cell, std::span(around.labels).first(around.count), gate, level, planes);
+        }
+        labels[static_cast<std::size_t>(level)][place] = label;
+      }
+    }
+  }
+};
 
 }  // namespace
 
 void label_cells(const DepthCells& cells, std::span<const BentPlane> planes, const PlaneGate& gate,
                  const CellLabels& labels) noexcept {
   for (int level = DepthCells::levels - 1; level >= 0; --level) {
+    const Level work{cells, planes, gate, labels, level};
     const Size size = cells.size(level);
-    const std::int32_t pixels = DepthCells::side << level;
-    const double least = least_share * pixels * pixels;
-    const InverseDepthMoments* cell = cells.level(level).data();
-    std::uint16_t* label = labels[static_cast<std::size_t>(level)].data();
-    for (std::int32_t y = 0; y < size.height; ++y) {
-      for (std::int32_t x = 0; x < size.width; ++x, ++cell, ++label) {
-        *label = 0;
-        if (cell->n < least) continue;
-        Best around;
-        if (level + 1 < DepthCells::levels) {
-          around = best_around(*cell, x / 2, y / 2, cells.size(level + 1),
-                               labels[static_cast<std::size_t>(level) + 1], planes);
-        }
-        const double noise = gate.inverse_noise(cell->q / cell->n);
-        *label = label_of(*cell, around, noise * noise, level, planes);
-      }
+    for (std::int32_t y = 0; y < size.height; y += 2) {
+      for (std::int32_t x = 0; x < size.width; x += 2) work.block(x, y);
     }
   }
 }

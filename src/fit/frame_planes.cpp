@@ -207,7 +207,7 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   for (std::uint32_t round = 0; round < options_.rounds; ++round) {
     if (round > 0) {
       detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], surfaces_.first(count_), options_.gate,
-                           labels, moments_);
+                           labels, moments_, list_);
     }
     search_round(depth, search, labels, found);
   }
@@ -221,7 +221,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
   refit(depth.camera);
   judge(depth.camera, true);
   detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], surfaces_.first(count_), options_.gate,
-                       labels, moments_);
+                       labels, moments_, list_);
   // Step 8.
   std::array<std::uint16_t, most_planes> order{};
   sort_by_pixels(moments_.first(count_), std::span(order).first(count_));

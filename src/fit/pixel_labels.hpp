@@ -12,10 +12,11 @@
 namespace straightedge::detail {
 
 /// Step 7 of frame_planes.hpp: a label for every pixel from those of the cells of level 0; sums of each
-/// label's pixels on the way.
+/// label's pixels on the way. `scratch`: one entry
+/// a cell and one more a column of cells.
 void label_pixels(ImageView<const float> inverse_depth, const DepthCells& cells,
                   std::span<const std::uint16_t> cell_labels, std::span<const BentPlane> planes,
                   const PlaneGate& gate, ImageView<std::uint16_t> labels,
-                  std::span<InverseDepthMoments> moments) noexcept;
+                  std::span<InverseDepthMoments> moments, std::span<std::int32_t> scratch) noexcept;
 
 }  // namespace straightedge::detail

@@ -3,6 +3,7 @@
 #include "plane_surfaces.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace straightedge::detail {
 namespace {
@@ -29,14 +30,39 @@ PlaneSurfaces::PlaneSurfaces(Size picture, const PinholeCamera& camera,
       focal_square_(camera.fx * camera.fx),
       options_(options) {}
 
+void PlaneSurfaces::add(const InverseDepthMoments& cell, QuadraticSums& sums) const noexcept {
+  sums.add((cell.u / cell.n - u0_) / scale_, (cell.v / cell.n - v0_) / scale_, cell.q / cell.n, cell.n);
+}
+
 void PlaneSurfaces::sum(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
                         std::span<QuadraticSums> sums) const noexcept {
   std::fill(sums.begin(), sums.end(), QuadraticSums{});
-  const std::span<const InverseDepthMoments> all = cells.level(0);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (cell_labels[i] == 0) continue;
-    const InverseDepthMoments& m = all[i];
-    sums[cell_labels[i] - 1U].add((m.u / m.n - u0_) / scale_, (m.v / m.n - v0_) / scale_, m.q / m.n, m.n);
+  const Size fine = cells.size(0), coarse = cells.size(1);
+  for (std::int32_t y = 0; y < coarse.height; ++y) {
+    for (std::int32_t x = 0; x < coarse.width; ++x) {
+      // Four cells of one plane count as one: there are far fewer of those.
+      std::array<std::size_t, 4> place{};
+      std::size_t count = 0;
+      for (std::int32_t j = 2 * y; j < std::min(2 * y + 2, fine.height); ++j) {
+        for (std::int32_t i = 2 * x; i < std::min(2 * x + 2, fine.width); ++i) {
+          place[count++] = static_cast<std::size_t>(j) * static_cast<std::size_t>(fine.width) +
+                           static_cast<std::size_t>(i);
+        }
+      }
+      const std::uint16_t first = cell_labels[place[0]];
+      bool same = true;
+      for (std::size_t k = 1; k < count; ++k) same = same && cell_labels[place[k]] == first;
+      if (same && first != 0) {
+        add(cells.level(1)[static_cast<std::size_t>(y) * static_cast<std::size_t>(coarse.width) +
+                           static_cast<std::size_t>(x)],
+            sums[first - 1U]);
+        continue;
+      }
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::uint16_t label = cell_labels[place[k]];
+        if (label != 0) add(cells.level(0)[place[k]], sums[label - 1U]);
+      }
+    }
   }
 }
 

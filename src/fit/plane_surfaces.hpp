@@ -31,6 +31,7 @@ class PlaneSurfaces {
                BentPlane& surface) const noexcept;
 
  private:
+  void add(const InverseDepthMoments& cell, QuadraticSums& sums) const noexcept;
   bool fit(const QuadraticSums& sums, QuadraticFit& fit) const noexcept;
 
   double u0_, v0_, scale_;  // samples are taken about the picture's middle, in halves of its width
