@@ -16,7 +16,7 @@ namespace straightedge {
 
 /// A number that is NaN or outside its range gives `invalid_option`.
 struct RansacSearchOptions {
-  PlaneGate gate;
+  PlaneGate gate{};
   std::int32_t cell = 4;          ///< pixels, [1, 64]: one reading of each square of this side is looked at
   std::int32_t min_pixels = 480;  ///< of a plane, >= 1; a reading stands for cell² pixels
   std::int32_t max_candidates = 64;  ///< [1, 65535]
@@ -30,7 +30,7 @@ struct RansacSearchOptions {
 
 /// A plane that may be one.
 struct PlaneCandidate {
-  InverseDepthFit fit;      ///< covariance for independent readings with noise gate.inverse_sigma
+  InverseDepthFit fit{};    ///< covariance for independent readings with noise gate.inverse_sigma
   bool rough = false;       ///< its residuals fill the gate: curved, bent, or two surfaces
   double score = 0;         ///< sum of 1 − (residual / gate)² over its readings
   std::uint32_t cells = 0;  ///< its readings, one a cell
