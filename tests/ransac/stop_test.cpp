@@ -51,3 +51,10 @@ TEST_CASE("Draws at the ends of the range", "[ransac]") {
   CHECK(miss_probability(0.25, 0) == 1);
   CHECK(miss_probability(0.25, 3) == Approx(0.421875));
 }
+
+TEST_CASE("The examples of the page on RANSAC", "[ransac]") {
+  CHECK(draws_needed(triple_probability(614, 2048), 0.999, 100'000) == 254);
+  CHECK(draws_needed(triple_probability(205, 2048), 0.999, 100'000) == 6976);
+  CHECK(draws_needed(triple_probability(10, 20), 0.999, 100'000) == 63);
+  CHECK(draws_needed(0.125, 0.999, 100'000) == 52);
+}
