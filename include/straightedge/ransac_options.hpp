@@ -28,7 +28,7 @@ struct RansacTrace {
 
 /// A number that is NaN or outside its range gives `invalid_option`.
 struct RansacOptions {
-  PlaneGate gate;
+  PlaneGate gate = {};
   std::uint32_t subset = 2048;  ///< readings on which hypotheses are scored, [16, 65536]
   double near_radius = 0;       ///< pixels, or metres for points, of the second and third reading from
                                 ///< the first, [0, 1e6]; 0: anywhere
@@ -41,7 +41,7 @@ struct RansacOptions {
   double piece_cell_m = 0.1;            ///< metres, above 0, at most 1000: points in cells of this size that
                                         ///< touch are connected (pixels: those that touch)
   std::uint64_t seed = 1;
-  RansacTrace trace;
+  RansacTrace trace = {};
 };
 
 namespace detail {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "ransac/window.hpp"
 
-#include "straightedge/random.hpp"
+#include "ransac/triple.hpp"
 #include "straightedge/ransac_stop.hpp"
 
 namespace straightedge::ransac {
@@ -29,12 +29,12 @@ Coefficients coefficients(const InverseDepthPlane& p) noexcept {
 }
 
 /// False: equal, on a line, or nearly so.
-bool plane_through(const Window& w, const std::uint32_t (&of)[3], InverseDepthPlane& plane) noexcept {
+bool plane_through(const Window& w, const Triple& triple, InverseDepthPlane& plane) noexcept {
   double u[3], v[3], q[3];
   for (int i = 0; i < 3; ++i) {
-    u[i] = static_cast<double>(w.u[of[i]]);
-    v[i] = static_cast<double>(w.v[of[i]]);
-    q[i] = static_cast<double>(w.q[of[i]]);
+    u[i] = static_cast<double>(w.u[triple.of[i]]);
+    v[i] = static_cast<double>(w.v[triple.of[i]]);
+    q[i] = static_cast<double>(w.q[triple.of[i]]);
   }
   const double area = (u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]);
   if (area * area < least_area * least_area) return false;
@@ -101,7 +101,7 @@ WindowPlane best_of_window(const Window& window, const RansacSearchOptions& opti
   auto best_cost = static_cast<float>(n);
   std::uint32_t needed = n < 3 ? 0 : most;
   for (; found.draws < needed; ++found.draws) {
-    const std::uint32_t triple[3] = {random.below(n), random.below(n), random.below(n)};
+    const Triple triple = draw_three(random, n);
     InverseDepthPlane plane;
     if (!plane_through(window, triple, plane)) continue;
     const float cost = msac_cost(window.rows(), coefficients(plane));

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include <vector>
+
+#include "scene.hpp"
+#include "straightedge/ransac_search.hpp"
+#include "support/catch.hpp"
+
+using namespace straightedge;
+
+namespace {
+
+constexpr PlaneCandidate untouched{.score = -1, .cells = 77};
+
+struct Found {
+  RansacSearchResult result;
+  std::vector<PlaneCandidate> candidates;
+};
+
+Found search(ImageView<const float> q, const RansacSearchOptions& options = {},
+             ImageView<const std::uint16_t> mask = {}, std::size_t room = 64) {
+  std::vector<std::byte> workspace(RansacSearch::workspace_bytes(q.size(), options));
+  RansacSearch object;
+  REQUIRE(RansacSearch::prepare(object, q.size(), options, workspace) == Status::ok);
+  Found found;
+  found.candidates.assign(room, untouched);
+  found.result = object.run(q, mask, found.candidates);
+  for (std::size_t i = found.result.candidates; i < room; ++i) CHECK(found.candidates[i].cells == 77);
+  found.candidates.resize(found.result.candidates);
+  return found;
+}
+
+/// Share of the pixels of a true plane that are within three sigma of the candidate.
+double covered(const scene::Frame& frame, int label, const InverseDepthPlane& truth,
+               const InverseDepthPlane& p) {
+  std::size_t inside = 0, all = 0;
+  for (std::int32_t v = 0; v < scene::size.height; ++v)
+    for (std::int32_t u = 0; u < scene::size.width; ++u) {
+      if (frame.truth[static_cast<std::size_t>(v * scene::size.width + u)] != label) continue;
+      ++all;
+      const double off = truth.at(u, v) - p.at(u, v);
+      inside += off * off < 9 * scene::sigma * scene::sigma ? 1 : 0;
+    }
+  return static_cast<double>(inside) / static_cast<double>(all);
+}
+
+bool has_candidate(const Found& found, const scene::Frame& frame, int label, const Plane& truth) {
+  for (const PlaneCandidate& c : found.candidates) {
+    PlaneFit fit;
+    if (to_plane_fit(c.fit, scene::sigma, scene::camera, fit) != Status::ok) return false;
+    if (scene::error_of(fit.plane, truth).angle < 2 * 0.0175 &&
+        covered(frame, label, to_inverse_depth(truth, scene::camera), c.fit.plane) > 0.95)
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("Walls, floor and faces of a box have candidates, with holes too", "[ransac]") {
+  for (const double holes : {0.0, 0.6}) {
+    int missed = 0, all = 0, surplus = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      CAPTURE(seed, holes);
+      Pcg32 random(seed);
+      const scene::Room room = scene::room_by_chance(random);
+      const scene::Frame frame = scene::render(room, scene::sigma, holes, random);
+      const Found found = search(frame.view(), {.seed = seed});
+      REQUIRE(found.result.status == Status::ok);
+      CHECK(found.result.seed == seed);
+      CHECK(found.result.noise < 1.1);
+      CHECK(found.result.explained <= found.result.readings);
+      int label = 0;
+      const auto look = [&](const Plane& plane) {
+        if (frame.pixels_of(++label) < (holes > 0 ? 400U : 1000U)) return;
+        ++all;
+        missed += has_candidate(found, frame, label, plane) ? 0 : 1;
+      };
+      for (const Plane& plane : room.planes) look(plane);
+      for (const scene::Face& face : room.faces) look(face.plane);
+      surplus += static_cast<int>(found.candidates.size()) - label;
+      for (std::size_t i = 1; i < found.candidates.size(); ++i)
+        CHECK(found.candidates[i - 1].score >= found.candidates[i].score);
+    }
+    CAPTURE(holes, all);
+    CHECK(missed * 50 <= all);
+    CHECK(surplus <= 8);
+  }
+}
+
+TEST_CASE("The same seed gives the same bits, and a stride changes none", "[ransac]") {
+  Pcg32 random(3);
+  const scene::Frame frame = scene::render(scene::room_by_chance(random), scene::sigma, 0.3, random);
+  const Found a = search(frame.view());
+  const Found b = search(frame.view());
+  std::vector<float> wide(static_cast<std::size_t>((scene::size.width + 7) * scene::size.height), 9.0F);
+  const ImageView<float> strided(wide.data(), scene::size,
+                                 static_cast<std::ptrdiff_t>(sizeof(float)) * (scene::size.width + 7));
+  for (std::int32_t v = 0; v < scene::size.height; ++v)
+    for (std::int32_t u = 0; u < scene::size.width; ++u) strided.at(u, v) = frame.view().at(u, v);
+  const Found c = search(strided);
+  REQUIRE(a.candidates.size() >= 4);
+  REQUIRE(b.candidates.size() == a.candidates.size());
+  REQUIRE(c.candidates.size() == a.candidates.size());
+  for (std::size_t i = 0; i < a.candidates.size(); ++i) {
+    CHECK(b.candidates[i].fit.plane == a.candidates[i].fit.plane);
+    CHECK(c.candidates[i].fit.plane == a.candidates[i].fit.plane);
+    CHECK(c.candidates[i].cells == a.candidates[i].cells);
+  }
+}
+
+TEST_CASE("Masked pixels take no part", "[ransac]") {
+  Pcg32 random(5);
+  const scene::Room room = scene::room_by_chance(random);
+  const scene::Frame frame = scene::render(room, scene::sigma, 0, random);
+  std::vector<std::uint16_t> mask;
+  for (const int t : frame.truth) mask.push_back(t == 2 ? 1 : 0);
+  const Found found = search(frame.view(), {}, {mask.data(), scene::size});
+  CHECK(has_candidate(found, frame, 1, room.planes[0]));
+  CHECK_FALSE(has_candidate(found, frame, 2, room.planes[1]));
+  scene::Frame holes = frame;
+  for (std::size_t i = 0; i < mask.size(); ++i) holes.q[i] = mask[i] != 0 ? 0 : frame.q[i];
+  const Found same = search(holes.view());
+  REQUIRE(same.candidates.size() == found.candidates.size());
+  CHECK(same.candidates[0].fit.plane == found.candidates[0].fit.plane);
+}
+
+TEST_CASE("A noisy frame gets a wider gate; a gate in metres stays", "[ransac]") {
+  Pcg32 random(9);
+  const scene::Room room = scene::room_by_chance(random);
+  const scene::Frame frame = scene::render(room, 2 * scene::sigma, 0, random);
+  const Found found = search(frame.view());
+  CHECK(found.result.noise == Approx(2).epsilon(0.2));
+  CHECK(found.candidates.size() >= 3);
+  RansacSearchOptions metres;
+  metres.gate.fixed_m = 0.03;
+  const Found fixed = search(scene::render(room, 0, 0, random).view(), metres);
+  CHECK(fixed.result.noise == 1);
+  CHECK(fixed.candidates.size() >= 4);
+}
+
+TEST_CASE("A short output holds the strongest candidates", "[ransac]") {
+  Pcg32 random(13);
+  const scene::Frame frame = scene::render(scene::room_by_chance(random), scene::sigma, 0, random);
+  const Found all = search(frame.view());
+  const Found two = search(frame.view(), {}, {}, 2);
+  CHECK(two.result.status == Status::output_full);
+  REQUIRE(two.candidates.size() == 2);
+  CHECK(two.candidates[1].fit.plane == all.candidates[1].fit.plane);
+}
