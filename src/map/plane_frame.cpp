@@ -11,8 +11,8 @@ namespace straightedge {
 namespace {
 
 // Pieces of one wall that a detector took for two planes are one sighting of it.
-constexpr double same_cosine = 0.996;  // 5 degrees
-constexpr double same_offset = 0.05;   // metres
+constexpr double same_cosine = 0.9986;  // 3 degrees
+constexpr double same_offset = 0.02;    // metres
 
 bool same_in_frame(const FoundPlane& a, const FoundPlane& b) {
   return dot(a.fit.plane.normal, b.fit.plane.normal) > same_cosine &&

@@ -51,7 +51,7 @@ struct GridReading {
 inline constexpr std::int32_t most_residual = 1 << 20;  ///< quanta, 256 m
 
 /// Neighbouring readings that go to one leaf and surface, summed in short integers and without their weight:
-/// that of the first serves for all.
+/// that of the first serves for all, as depth hardly differs within a leaf.
 struct LeafRun {
   std::uint32_t label = 0;  ///< 0: empty
   GridReading first;

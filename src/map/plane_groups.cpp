@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "map/plane_copies.hpp"
+
 namespace straightedge {
 namespace {
 
@@ -64,15 +66,6 @@ void sum_anew(PlaneGroup& group, std::span<const PlanePatch> patches, const Plan
   if (!group.patches.empty()) group.estimate = estimate(group.surface, options);
 }
 
-void heaviest_first(std::vector<PlaneGroup>& groups) {
-  std::erase_if(groups, [](const PlaneGroup& g) { return g.patches.empty(); });
-  std::stable_sort(groups.begin(), groups.end(), [](const PlaneGroup& a, const PlaneGroup& b) {
-    if (a.surface.moments.weight != b.surface.moments.weight)
-      return a.surface.moments.weight > b.surface.moments.weight;
-    return a.patches.front() < b.patches.front();
-  });
-}
-
 /// (b)
 bool join_wholes(std::vector<PlaneGroup>& groups, std::span<const PlanePatch> patches,
                  const PlaneMapOptions& options) {
@@ -82,9 +75,7 @@ bool join_wholes(std::vector<PlaneGroup>& groups, std::span<const PlanePatch> pa
     for (std::size_t j = i + 1; j < groups.size(); ++j) {
       if (groups[i].patches.empty() || groups[j].patches.empty()) continue;
       if (!agree(groups[i].estimate, groups[j].estimate, options).possible) continue;
-      groups[i].patches.insert(groups[i].patches.end(), groups[j].patches.begin(), groups[j].patches.end());
-      groups[j].patches.clear();
-      sum_anew(groups[i], patches, options);
+      absorb(groups[i], groups[j], patches, options);
       joined = true;
     }
   }
@@ -121,7 +112,24 @@ bool reassign(std::vector<PlaneGroup>& groups, std::span<const PlanePatch> patch
 
 }  // namespace
 
-std::vector<PlaneGroup> group_patches(std::span<const PlanePatch> patches, const PlaneMapOptions& options) {
+void absorb(PlaneGroup& whole, PlaneGroup& part, std::span<const PlanePatch> patches,
+            const PlaneMapOptions& options) {
+  whole.patches.insert(whole.patches.end(), part.patches.begin(), part.patches.end());
+  part.patches.clear();
+  sum_anew(whole, patches, options);
+}
+
+void heaviest_first(std::vector<PlaneGroup>& groups) {
+  std::erase_if(groups, [](const PlaneGroup& g) { return g.patches.empty(); });
+  std::stable_sort(groups.begin(), groups.end(), [](const PlaneGroup& a, const PlaneGroup& b) {
+    if (a.surface.moments.weight != b.surface.moments.weight)
+      return a.surface.moments.weight > b.surface.moments.weight;
+    return a.patches.front() < b.patches.front();
+  });
+}
+
+std::vector<PlaneGroup> group_patches(std::span<const PlanePatch> patches, std::span<const PlaneLeaf> leaves,
+                                      const PlaneMapOptions& options) {
   std::vector<PlaneGroup> groups;
   Owners owners(patches.size(), nobody);
   for (std::uint32_t i = 0; i < patches.size(); ++i) {
@@ -132,6 +140,8 @@ std::vector<PlaneGroup> group_patches(std::span<const PlanePatch> patches, const
   for (int round = 0; round < most_rounds; ++round) {
     const bool joined = join_wholes(groups, patches, options);
     if (!reassign(groups, patches, options) && !joined) break;
+  }
+  for (int round = 0; round < most_rounds && join_copies(groups, patches, leaves, options); ++round) {
   }
   return groups;
 }

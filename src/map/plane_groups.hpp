@@ -24,6 +24,15 @@ struct PlaneGroup {
 /// (b) Planes that agree as wholes become one.
 /// (c) Each patch goes to the plane that it misses least; planes are summed anew. Again with (b), a few
 ///     times or until nothing changes.
-std::vector<PlaneGroup> group_patches(std::span<const PlanePatch> patches, const PlaneMapOptions& options);
+/// (d) Copies of one surface become one plane (plane_copies.hpp).
+std::vector<PlaneGroup> group_patches(std::span<const PlanePatch> patches, std::span<const PlaneLeaf> leaves,
+                                      const PlaneMapOptions& options);
+
+/// `whole` takes the patches of `part`, which is empty then, and is summed anew.
+void absorb(PlaneGroup& whole, PlaneGroup& part, std::span<const PlanePatch> patches,
+            const PlaneMapOptions& options);
+
+/// Without the empty ones.
+void heaviest_first(std::vector<PlaneGroup>& groups);
 
 }  // namespace straightedge

@@ -63,6 +63,12 @@ double tilt_variance(const SurfaceEstimate& e, const PlaneMapOptions& options) {
   return std::max(e.var_u, e.var_v) - options.floor.angle_rad * options.floor.angle_rad;
 }
 
+/// A chance plane through clutter: its readings fill the detector's gate instead of crowding about the plane,
+/// and no second frame found it.
+bool is_clutter(const Surface& s, const PlaneMapOptions& options) {
+  return s.sightings < 2 && s.residual > options.max_residual * options.max_residual * s.moments.count;
+}
+
 /// Step 7. False for an extent that is too small.
 bool outline(Candidate& c, std::span<const PlaneLeaf> leaves, const PlaneMapOptions& options) {
   const PlaneChart chart(c.plane.plane, c.plane.moments->mean);
@@ -123,15 +129,19 @@ Result<PlaneMapReading> PlaneMapBuilder::build() const {
   // Steps 4 and 5.
   const std::vector<PlanePatch> patches = make_patches(leaves, options_);
   reading.report.patches = static_cast<std::uint32_t>(patches.size());
-  const std::vector<PlaneGroup> groups = group_patches(patches, options_);
+  const std::vector<PlaneGroup> groups = group_patches(patches, leaves, options_);
   // Steps 6 and 7.
   std::vector<Candidate> candidates;
   for (const PlaneGroup& group : groups) {
     Candidate c{exported(group, options_), leaves_of(group, patches)};
     if (*c.plane.points < options_.min_points) {
       ++reading.report.too_few;
+    } else if (group.surface.sightings == 0) {
+      ++reading.report.fragments;
     } else if (tilt_variance(group.estimate, options_) > options_.max_tilt * options_.max_tilt) {
       ++reading.report.too_vague;
+    } else if (is_clutter(group.surface, options_)) {
+      ++reading.report.too_rough;
     } else if (options_.polygons && !outline(c, leaves, options_)) {
       ++reading.report.too_small;
     } else {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <vector>
 
 namespace straightedge {
 namespace {
@@ -84,6 +85,29 @@ LeafRun new_run(std::uint32_t label, const GridReading& first, const FramePlane&
   return run;
 }
 
+/// Runs that may go on: the next row of the picture mostly falls into the same leaves as the one before. Each
+/// has one place; a run that is in the way of another goes to its leaf.
+class OpenRuns {
+ public:
+  explicit OpenRuns(LeafWriter& writer) : writer_(writer), runs_(places) {}
+
+  LeafRun& of(std::uint32_t label, const GridReading& p) {
+    const MortonCell leaf = p.leaf();
+    const std::uint32_t mixed = leaf.x * 73 + leaf.y * 179 + leaf.z * 283 + label * 97;
+    return runs_[mixed % places];
+  }
+  void put(const LeafRun& run) { writer_.put(run); }
+  void put_all() {
+    for (const LeafRun& run : runs_) writer_.put(run);
+  }
+
+ private:
+  static constexpr std::uint32_t places = 256;
+
+  LeafWriter& writer_;
+  std::vector<LeafRun> runs_;
+};
+
 bool continues(const LeafRun& run, std::uint32_t label, const GridReading& p) {
   return run.label == label && run.first.same_leaf(p) && run.readings < LeafRun::most_readings;
 }
@@ -130,7 +154,7 @@ LeftOut register_depth(const DepthView& depth, ImageView<const std::uint16_t> la
   const GridCamera grid = grid_camera(depth.camera, world_from_camera);
   const double focal = std::min(std::abs(depth.camera.fx), std::abs(depth.camera.fy));
   Segment segment;
-  LeafRun run;
+  OpenRuns runs(writer);
   for (std::int32_t y = 0; y < depth.raw.height; ++y) {
     const std::uint16_t* raw = depth.raw.row(y);
     const std::uint16_t* label = labels.row(y);
@@ -158,15 +182,16 @@ LeftOut register_depth(const DepthView& depth, ImageView<const std::uint16_t> la
           ++n;
           continue;
         }
+        LeafRun& run = runs.of(label[first], p);
         if (!continues(run, label[first], p)) {
-          writer.put(run);
+          runs.put(run);
           run = new_run(label[first], p, plane, in_row.by_u * (first + n) + in_row.constant, focal);
         }
         n = add_neighbours(run, segment, n, count, far_off);
       }
     }
   }
-  writer.put(run);
+  runs.put_all();
   return out;
 }
 
@@ -174,7 +199,7 @@ LeftOut register_points(const PointsView& points, std::span<const std::uint16_t>
                         std::span<const FramePlane> planes, const Pose& world_from_sensor,
                         LeafWriter& writer) {
   LeftOut out;
-  LeafRun run;
+  OpenRuns runs(writer);
   for (std::size_t n = 0; n < points.count; ++n) {
     const std::uint16_t label = labels[n];
     const Vector3 reading = points.at(n);
@@ -203,8 +228,9 @@ LeftOut register_points(const PointsView& points, std::span<const std::uint16_t>
       continue;
     }
     // Step 3.
+    LeafRun& run = runs.of(label, p);
     if (!continues(run, label, p)) {
-      writer.put(run);
+      runs.put(run);
       run = {};
       run.label = label;
       run.first = p;
@@ -213,7 +239,7 @@ LeftOut register_points(const PointsView& points, std::span<const std::uint16_t>
     }
     add_reading(run, p);
   }
-  writer.put(run);
+  runs.put_all();
   return out;
 }
 

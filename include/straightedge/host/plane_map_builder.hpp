@@ -27,8 +27,11 @@ struct PlaneMapOptions {
   double chi_square = 11.34;     ///< above 0; gate of "the same plane", 3 degrees of freedom
   double max_angle = 0.087;      ///< radians, 0..1; never joined beyond it, whatever the uncertainty
   double max_offset = 0.035;     ///< metres, 0..1; nor beyond this distance
+  double copy_angle = 0.12;      ///< radians, 0..1; a plane that lies over another one, no farther askew
+  double copy_offset = 0.06;     ///< metres, 0..1; and no farther off, is a copy of it
   std::uint64_t min_points = 1500;  ///< planes with fewer readings are dropped
   double max_tilt = 0.08;        ///< radians, 0..2; planes whose tilt is not known as well as this are dropped
+  double max_residual = 1.55;    ///< sigma, above 0; planes that one frame saw are dropped beyond it
   double min_area = 0.01;        ///< m², 0..1e6; planes with less extent are dropped, and so are such pieces of one
   double max_gap = 0.15;         ///< metres, 0..10; places without readings this narrow are closed
   double max_hole = 0.1;         ///< m², 0..1e6; smaller holes are closed
@@ -56,7 +59,9 @@ struct PlaneMapReport {
   std::uint32_t patches = 0;   ///< pieces of planes, of a metre's size
   std::uint32_t planes = 0;    ///< in the map
   std::uint32_t too_few = 0;   ///< dropped for few readings
+  std::uint32_t fragments = 0;  ///< dropped: broken off planes that every frame saw elsewhere for the most part
   std::uint32_t too_vague = 0;  ///< dropped for a tilt that nobody knows
+  std::uint32_t too_rough = 0;  ///< dropped for readings that scatter too much
   std::uint32_t too_small = 0;  ///< dropped for a small extent
 };
 
@@ -85,8 +90,9 @@ struct PlaneMapReading {
 ///  3. Leaf and surface choose an entry; weight, place and products are added to it as integers.
 /// Reading planes out (time n log n in the number of leaves):
 ///  4. Leaves by key; surfaces of one block of 1 m that agree become patches.
-///  5. Patches that are of one plane are joined, the strongest first, by chi-square with floors and caps.
-///  6. Each plane is fitted to its sums; those with few readings or a vague tilt go.
+///  5. Patches that are of one plane are joined, the strongest first, by chi-square with floors and caps;
+///     copies of one surface are joined too.
+///  6. Each plane is fitted to its sums; those with few readings, a vague tilt or wide scatter go.
 ///  7. Extents as polygons. 8. Order, ids.
 ///
 /// Any order of frames, and any partition of them over builders that are merged, gives the same bytes.
