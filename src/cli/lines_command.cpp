@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
-#include <ctime>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "cli/created_time.hpp"
 #include "cli/hough_arguments.hpp"
 #include "cli/lines_arguments.hpp"
 #include "cli/lines_report.hpp"
@@ -46,19 +46,11 @@ Result<LineMapResult> build(const fs::path& file, GrayView gray, const LineMapOp
   return Failure{built.failure().problem, file.string() + ": " + built.failure().sentence};
 }
 
-std::string time_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  char text[32] = "";
-  if (::gmtime_r(&now, &utc) != nullptr) (void)std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
-
 void describe(LineMap& map, const LinesArguments& arguments, const MapSource& source,
               const LineMapOptions& options) {
   map.meta.name = arguments.name.empty() ? input_path(arguments.input).stem().string() : arguments.name;
   map.meta.description = arguments.description;
-  map.meta.created = arguments.created == "NOW" ? time_now() : arguments.created;
+  map.meta.created = created_time(arguments.created);
   map.meta.tool = version_text();
   map.meta.options = words_of(options) + (arguments.negate ? ", negate" : "");
   if (!map.image) return;

@@ -56,6 +56,11 @@ Result<Done> check_folder(const Output& output) {
                  output.path + ": cannot be written (" + std::generic_category().message(reason) + ")"};
 }
 
+Result<Done> write_output(const Output& output) {
+  if (output.write) return output.write(is_stream(output) ? "/dev/stdout" : output.path);
+  return is_stream(output) ? write_stdout(output.bytes) : write_file_atomically(output.path, output.bytes);
+}
+
 }  // namespace
 
 std::string lower_case(std::string text) {
@@ -90,8 +95,7 @@ Result<Done> check_outputs(std::span<const Output> outputs, const std::vector<fs
 Result<Done> write_outputs(std::span<const Output> outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const Output& output = outputs[i];
-    const auto written =
-        is_stream(output) ? write_stdout(output.bytes) : write_file_atomically(output.path, output.bytes);
+    const auto written = write_output(output);
     if (written) continue;
     const std::string before = i == 0 ? "" : "; written before: " + names_of(outputs.first(i));
     return Failure{written.failure().problem, written.failure().sentence + before};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct Output {
   std::string path;       ///< "-" is standard output
   std::string extension;  ///< that its name must have, such as ".svg"; empty: any
   std::string bytes;      ///< what will be in it
+  std::function<Result<Done>(const std::filesystem::path&)> write = {};  ///< in place of bytes
 };
 
 /// What can be said before any work is done: names and extensions, two outputs in one place, an output that

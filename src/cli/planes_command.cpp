@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
+#include "cli/created_time.hpp"
 #include "cli/planes_arguments.hpp"
 #include "cli/planes_outputs.hpp"
 #include "cli/planes_report.hpp"
@@ -20,7 +21,7 @@ void describe(PlanesRun& run, const PlanesArguments& arguments) {
     MapMeta& meta = method.reading.map.meta;
     meta.name = arguments.name.empty() ? fs::path(arguments.input_name()).stem().string() : arguments.name;
     meta.description = arguments.description;
-    meta.created = arguments.created;
+    meta.created = created_time(arguments.created);
     meta.tool = version_text();
     meta.options = arguments.words(method.method);
   }

@@ -41,9 +41,10 @@ Result<Done> write_files(const fs::path& folder, const std::vector<FolderFile>& 
 Result<fs::path> make_aside(const fs::path& folder) {
   std::error_code error;
   for (int attempt = 0; attempt < 10000; ++attempt) {
-    const fs::path aside =
-        folder.parent_path() / ("." + folder.filename().string() + "." + io::to_text(::getpid()) + "." +
-                                io::to_text(attempt) + ".part");
+    std::string name(".");
+    name.append(folder.filename().string()).append(".").append(io::to_text(::getpid()));
+    name.append(".").append(io::to_text(attempt)).append(".part");
+    const fs::path aside = folder.parent_path() / name;
     if (fs::create_directory(aside, error)) return aside;
     if (error) break;
   }

@@ -50,10 +50,10 @@ int run_command(const Command& command) try {
 }
 
 int run_commands(CLI::App& program, int argument_count, char** arguments) {
-  const std::vector<Command> commands = {add_edges_command(program),   add_hough_command(program),
-                                         add_explain_command(program), add_lines_command(program),
-                                         add_planes_command(program),  add_show_command(program),
-                                         add_validate_command(program)};
+  const std::vector<Command> commands = {add_edges_command(program),    add_hough_command(program),
+                                         add_explain_command(program),  add_lines_command(program),
+                                         add_planes_command(program),   add_show_command(program),
+                                         add_validate_command(program), add_merge_command(program)};
   try {
     program.parse(argument_count, arguments);
   } catch (const CLI::CallForHelp&) {

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/map_input.hpp"
 #include "cli/outputs.hpp"
 #include "cli/program.hpp"
 #include "cli/streams.hpp"
-#include "io/number_text.hpp"
 #include "straightedge/host/map_file.hpp"
+#include "straightedge/host/plane_map_file.hpp"
 
 namespace straightedge::cli {
 namespace {
@@ -27,22 +28,21 @@ Failure refuse(const std::vector<std::string>& breaches) {
 
 Result<Done> run(const ValidateArguments& arguments) {
   const std::filesystem::path file = arguments.input;
-  const auto breaches = validate_line_map(file);
+  const auto kind = map_kind(file);
+  if (!kind) return kind.failure();
+  const auto breaches = *kind == MapKind::lines ? validate_line_map(file) : validate_plane_map(file);
   if (!breaches) return breaches.failure();
   if (!breaches->empty()) return refuse(*breaches);
-  const auto map = read_line_map(file);
+  const auto map = read_any_map(file);
   if (!map) return map.failure();
-  std::size_t segments = 0;
-  for (const MapLine& line : map->lines) segments += line.segments.size();
-  if (!arguments.common.quiet) {
-    print_words(file.string() + ": valid, " + io::to_text(map->lines.size()) + " lines, " +
-                io::to_text(segments) + " segments");
-  }
+  if (!arguments.common.quiet) print_words(file.string() + ": valid, " + words_of(*map));
   if (!arguments.common.json) return Done{};
-  const nlohmann::ordered_json numbers = {
-      {"program", version_text()},     {"command", "validate"}, {"input", base_name(file)},
-      {"seed", arguments.common.seed}, {"valid", true},         {"lines", map->lines.size()},
-      {"segments", segments}};
+  nlohmann::ordered_json numbers = {{"program", version_text()},
+                                    {"command", "validate"},
+                                    {"input", base_name(file)},
+                                    {"seed", arguments.common.seed},
+                                    {"valid", true}};
+  add_counts(numbers, *map);
   return write_stdout(numbers.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
@@ -51,9 +51,10 @@ Result<Done> run(const ValidateArguments& arguments) {
 Command add_validate_command(CLI::App& program) {
   const auto arguments = std::make_shared<ValidateArguments>();
   CLI::App& command = *program.add_subcommand(
-      "validate", "Checks a line map against every rule of its format; a line on stderr for each breach");
-  command.add_option("MAP.xml", arguments->input, "the line map")->required();
-  add_common_options(command, arguments->common, "lines and segments in the map");
+      "validate",
+      "Checks a line map or a plane map against every rule of its format; a line on stderr for each breach");
+  command.add_option("MAP.xml", arguments->input, "the map")->required();
+  add_common_options(command, arguments->common, "lines and segments in the map, or planes and polygons");
   return {&command, [arguments] { return run(*arguments); }};
 }
 

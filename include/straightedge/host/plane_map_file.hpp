@@ -36,5 +36,7 @@ Result<std::vector<std::string>> validate_plane_map(const std::filesystem::path&
 enum class MapKind { lines, planes };
 /// What kind of map an XML file holds, by its root element alone.
 Result<MapKind> map_kind(const std::filesystem::path& file);
+/// The same from a file's text; `name` is what the sentences of failures call it.
+Result<MapKind> map_kind_from_xml(const std::string& xml, const std::string& name);
 
 }  // namespace straightedge
