@@ -22,6 +22,7 @@ namespace detail {
 struct HoughPatchMemory {
   std::array<std::span<InverseDepthMoments>, 4> levels;  ///< squares of 8, 16, 32, 64 pixels
   std::span<HoughPatch> patches;
+  std::span<HoughPatchMean> means;
   std::span<HoughPlanePeak> peaks;
   std::span<HoughPlaneCandidate> candidates;
   HoughAccumulator accumulator;
@@ -37,6 +38,7 @@ struct HoughPatchMemory {
       side *= 2;
     }
     patches = arena.take<HoughPatch>(squares(size, hough_patch_side));
+    means = arena.take<HoughPatchMean>(squares(size, hough_patch_side));
     peaks = arena.take<HoughPlanePeak>(2 * static_cast<std::size_t>(options.max_candidates));
     candidates = arena.take<HoughPlaneCandidate>(static_cast<std::size_t>(options.max_candidates));
     accumulator.take(arena, options.accumulator);
@@ -82,7 +84,7 @@ struct HoughPatchMemory {
 /// noise is in 1/z, and the kernel in the tangents of the normal, where no pole is.
 ///
 /// Time: one pass over the pixels, then patches times the cells of their kernels. Votes are integers, so
-/// that no order matters. Memory: 6.3 bytes a pixel and the accumulator.
+/// that no order matters. Memory: 7.3 bytes a pixel and the accumulator.
 ///
 /// Bad input: invalid_image (null views, a camera that is none), size_mismatch (another size than in
 /// `prepare`), invalid_option (the gate), not_prepared. A picture without readings or planes gives an empty
