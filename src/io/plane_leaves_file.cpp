@@ -18,10 +18,10 @@ constexpr std::string_view magic = "SEleaves";
 constexpr std::uint64_t version = 1;
 constexpr std::size_t largest_file = std::size_t{1} << 36U;
 
-constexpr std::array signed_sums = {&PlaneLeafSums::weight, &PlaneLeafSums::x,  &PlaneLeafSums::y,
-                                    &PlaneLeafSums::z,      &PlaneLeafSums::xx, &PlaneLeafSums::xy,
-                                    &PlaneLeafSums::xz,     &PlaneLeafSums::yy, &PlaneLeafSums::yz,
-                                    &PlaneLeafSums::zz,     &PlaneLeafSums::nx, &PlaneLeafSums::ny,
+constexpr std::array signed_sums = {&PlaneLeafSums::weight, &PlaneLeafSums::x,    &PlaneLeafSums::y,
+                                    &PlaneLeafSums::z,      &PlaneLeafSums::xx,   &PlaneLeafSums::xy,
+                                    &PlaneLeafSums::xz,     &PlaneLeafSums::yy,   &PlaneLeafSums::yz,
+                                    &PlaneLeafSums::zz,     &PlaneLeafSums::nx,   &PlaneLeafSums::ny,
                                     &PlaneLeafSums::nz,     &PlaneLeafSums::tilt, &PlaneLeafSums::residual};
 
 void put(std::string& bytes, std::uint64_t value) {
@@ -80,8 +80,8 @@ bool possible(const PlaneLeafSums& s) {
   const std::int64_t largest = std::max({std::abs(s.nx), std::abs(s.ny), std::abs(s.nz)});
   return within(s.x, half) && within(s.y, half) && within(s.z, half) && square(s.xx) && square(s.yy) &&
          square(s.zz) && within(s.xy, half * half) && within(s.xz, half * half) &&
-         within(s.yz, half * half) && largest >= s.weight * (unit / 4) &&
-         s.tilt >= 0 && within(s.tilt, plane_grid::most_tilt) && s.residual >= 0 &&
+         within(s.yz, half * half) && largest >= s.weight * (unit / 4) && s.tilt >= 0 &&
+         within(s.tilt, plane_grid::most_tilt) && s.residual >= 0 &&
          s.residual <= n * (std::int64_t{1} << 30U);
 }
 
@@ -123,7 +123,9 @@ std::string plane_leaves_to_bytes(const PlaneLeaves& leaves) {
 }
 
 Result<PlaneLeaves> plane_leaves_from_bytes(std::string_view bytes, const std::string& name) {
-  const auto refuse = [&](const std::string& what) { return Failure{Problem::bad_content, name + ": " + what}; };
+  const auto refuse = [&](const std::string& what) {
+    return Failure{Problem::bad_content, name + ": " + what};
+  };
   if (!bytes.starts_with(magic)) return refuse("this is no file of a plane map's leaves");
   Reader reader{bytes.substr(magic.size())};
   if (const std::uint64_t found = reader.number(); !reader.good || found == 0 || found > version)
@@ -137,7 +139,8 @@ Result<PlaneLeaves> plane_leaves_from_bytes(std::string_view bytes, const std::s
   PlaneLeaf leaf;
   for (std::uint64_t i = 0; i < count && reader.good; ++i) {
     if (!read_leaf(reader, leaf))
-      return refuse("leaf " + std::to_string(i + 1) + " of " + std::to_string(count) + " is cut off or wrong");
+      return refuse("leaf " + std::to_string(i + 1) + " of " + std::to_string(count) +
+                    " is cut off or wrong");
     leaves.at(leaves.place(leaf.key)) = leaf.sums;
     leaves.note_fullest(leaf.sums.readings);
   }

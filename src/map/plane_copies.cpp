@@ -29,7 +29,8 @@ std::vector<Cell> cells_of(const PlaneGroup& group, const PlaneChart& chart, con
       const double offset = plane.signed_distance(mean);
       if (offset > max_offset || offset < -max_offset) continue;
       const PlanePoint at = chart.on(mean);
-      cells.push_back({floor_to_integer(at.a / plane_grid::leaf_m), floor_to_integer(at.b / plane_grid::leaf_m)});
+      cells.push_back(
+          {floor_to_integer(at.a / plane_grid::leaf_m), floor_to_integer(at.b / plane_grid::leaf_m)});
     }
   }
   std::sort(cells.begin(), cells.end());

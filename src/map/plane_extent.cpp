@@ -138,14 +138,16 @@ std::vector<PlanePoint> simplified(std::span<const PlanePoint> loop, double tole
 }
 
 /// Steps 3 to 6.
-void read_loops(Raster& raster, const ExtentOptions& options, double min_area, std::vector<ExtentLoop>& loops) {
+void read_loops(Raster& raster, const ExtentOptions& options, double min_area,
+                std::vector<ExtentLoop>& loops) {
   close_gaps(raster, options.max_gap);
   fill_holes(raster, options.max_hole);
   drop_islands(raster, min_area);
   for (const CellLoop& cells : cell_borders(raster)) {
     std::vector<PlanePoint> points;
     for (std::size_t i = 0; i < cells.x.size(); ++i) {
-      points.push_back({raster.origin.a + cells.x[i] * raster.cell, raster.origin.b + cells.y[i] * raster.cell});
+      points.push_back(
+          {raster.origin.a + cells.x[i] * raster.cell, raster.origin.b + cells.y[i] * raster.cell});
     }
     const bool hole = signed_area(points) < 0;
     std::vector<PlanePoint> few = simplified(points, 2 * raster.cell);

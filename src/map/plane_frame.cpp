@@ -42,10 +42,25 @@ void set_weight(FramePlane& plane, const PlaneGate& gate) {
   plane.weight_by_depth = 1 / (across * across * plane_grid::weight_unit);
 }
 
-/// The run's sums as its leaf adds them.
-PlaneLeafSums weighted(const LeafRun& run, const FramePlane& plane) {
+/// Of every reading of the plane in a leaf whose centre has this depth: so it does not matter which reading
+/// of the leaf comes first.
+std::int64_t weight_at(double z, const FramePlane& plane) {
   constexpr auto most = static_cast<double>(plane_grid::most_weight);
-  const auto w = static_cast<std::int64_t>(std::clamp(run.weight + 0.5, 1.0, most));
+  const double weight = plane.weight_by_depth / (z * z) + plane.weight_anywhere;
+  return static_cast<std::int64_t>(std::clamp(weight + 0.5, 1.0, most));
+}
+
+/// Quanta between neighbouring pixels: along a plane's steepest direction they are z/distance times farther
+/// apart than across.
+std::uint16_t spacing_at(double z, const FramePlane& plane, double focal) {
+  if (!(focal > 0)) return plane_grid::no_spacing;
+  const double across = z / focal * plane_grid::quanta_per_m;
+  const double quanta = across * std::max(1.0, z / std::max(plane.in_camera.distance, 1e-3));
+  return quanta < plane_grid::no_spacing ? static_cast<std::uint16_t>(quanta) : plane_grid::no_spacing;
+}
+
+/// The run's sums as its leaf adds them.
+PlaneLeafSums weighted(const LeafRun& run, const FramePlane& plane, std::int64_t w) {
   PlaneLeafSums s;
   s.readings = static_cast<std::uint64_t>(run.readings);
   s.weight = w * run.readings;
@@ -64,8 +79,6 @@ PlaneLeafSums weighted(const LeafRun& run, const FramePlane& plane) {
   s.tilt = s.weight * plane.tilt;
   // Wrong labels miss their plane by metres; what they add stays within the bound of all sums.
   s.residual = w * std::min(run.residual, (std::int64_t{run.readings} << 30U) / w);
-  const double quanta = run.spacing * plane_grid::quanta_per_m;
-  if (quanta > 0 && quanta < plane_grid::no_spacing) s.spacing = static_cast<std::uint16_t>(quanta);
   return s;
 }
 
@@ -99,8 +112,7 @@ Result<std::vector<FramePlane>> frame_planes(std::span<const FoundPlane> planes,
       return Failure{Problem::bad_content, "plane " + std::to_string(i + 1) + " of the frame is no plane"};
     const Vector3 foot = pose.apply(plane.in_camera.distance * plane.in_camera.normal);
     plane.towards_camera = normalized(-pose.turned(plane.in_camera.normal));
-    const Vector3 middle{grid_middle, grid_middle, grid_middle};
-    plane.offset = dot(plane.towards_camera, plane_grid::quanta_per_m * foot + middle);
+    plane.offset = dot(plane.towards_camera, foot);
     plane.normal = grid_normal(plane.towards_camera);
     plane.direction = direction_bin(plane.normal);
     plane.tilt = tilt_of(planes[i].fit);
@@ -114,14 +126,16 @@ Result<std::vector<FramePlane>> frame_planes(std::span<const FoundPlane> planes,
 void LeafWriter::put(const LeafRun& run) {
   if (run.label == 0) return;
   const FramePlane& plane = planes_[run.label - 1];
-  const auto centre = [](std::uint32_t i) {
-    return (static_cast<double>(i) + 0.5) * static_cast<double>(plane_grid::leaf_side);
-  };
-  const MortonCell leaf = run.first.leaf();
-  const Vector3 middle{centre(leaf.x), centre(leaf.y), centre(leaf.z)};
-  const double offset = plane.offset - dot(plane.towards_camera, middle);
-  const PlaneLeafSums s = weighted(run, plane);
-  const std::size_t place = leaves_.place({morton_encode(leaf), surface_bin(plane.direction, offset)});
+  const std::uint64_t leaf = morton_encode(run.first.leaf());
+  const Vector3 centre = cube_centre(leaf, 0);
+  const Pose& pose = view_.world_from_camera;
+  const double depth = dot(pose.turned({0, 0, 1}), centre - pose.translation);
+  const double z = std::max(depth, plane_grid::leaf_m);
+  PlaneLeafSums s = weighted(run, plane, weight_at(z, plane));
+  s.spacing = spacing_at(z, plane, view_.focal);
+  const double offset = plane.offset - dot(plane.towards_camera, centre);
+  const std::size_t place =
+      leaves_.place({leaf, surface_bin(plane.direction, offset * plane_grid::quanta_per_m)});
   if (place >= tally_.size()) tally_.resize(place + 1 + tally_.size() / 2, 0);
   if (tally_[place] == 0) touched_.push_back({static_cast<std::uint32_t>(place), run.label});
   tally_[place] += static_cast<std::uint32_t>(s.readings);
@@ -140,8 +154,8 @@ RegisteredFrame LeafWriter::finish() {
     frame.placed += readings;
     tally_[t.place] = 0;
     for (std::size_t i = 0; i < anchors.leaves.size(); ++i) {
-      const bool before = readings > anchors.readings[i] ||
-                          (readings == anchors.readings[i] && key < anchors.leaves[i]);
+      const bool before =
+          readings > anchors.readings[i] || (readings == anchors.readings[i] && key < anchors.leaves[i]);
       if (!before) continue;
       std::swap(key, anchors.leaves[i]);
       std::swap(readings, anchors.readings[i]);

@@ -19,11 +19,11 @@ namespace straightedge {
 struct FramePlane {
   Plane in_camera;
   Vector3 towards_camera;  ///< the normal in the world
-  double offset = 0;       ///< towards_camera · place = offset, quanta of the grid
+  double offset = 0;       ///< towards_camera · x = offset, metres
   GridNormal normal;       ///< towards_camera on the grid
   std::uint32_t direction = 0;
-  std::int64_t tilt = 0;        ///< variance of the normal, in tilt_unit
-  double weight_by_depth = 0;   ///< weight of a reading: weight_by_depth / z² + weight_anywhere
+  std::int64_t tilt = 0;       ///< variance of the normal, in tilt_unit
+  double weight_by_depth = 0;  ///< weight of a reading: weight_by_depth / z² + weight_anywhere
   double weight_anywhere = 0;
   bool counts = true;  ///< no plane of a lower index in this frame is the same one
 };
@@ -50,13 +50,10 @@ struct GridReading {
 };
 inline constexpr std::int32_t most_residual = 1 << 20;  ///< quanta, 256 m
 
-/// Neighbouring readings that go to one leaf and surface, summed in short integers and without their weight:
-/// that of the first serves for all, as depth hardly differs within a leaf.
+/// Readings of one plane that go to one leaf, summed in short integers and without their weight.
 struct LeafRun {
   std::uint32_t label = 0;  ///< 0: empty
   GridReading first;
-  double weight = 0;   ///< in weight_unit, of the first reading; at most most_weight
-  double spacing = 0;  ///< metres between neighbouring readings there; 0: not known
   std::int32_t readings = 0;
   std::int32_t x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
   std::int64_t residual = 0;
@@ -64,11 +61,18 @@ struct LeafRun {
   static constexpr std::int32_t most_readings = 1 << 15;  ///< of 2^14 each: the sums stay below 2^30
 };
 
+/// From where a frame was taken.
+struct Viewpoint {
+  Pose world_from_camera;
+  double focal = 0;  ///< pixels; 0: neighbouring readings are not known
+};
+
 /// Puts runs into the leaves and remembers what the frame did.
 class LeafWriter {
  public:
-  LeafWriter(PlaneLeaves& leaves, std::vector<std::uint32_t>& tally, std::span<const FramePlane> planes)
-      : leaves_(leaves), tally_(tally), planes_(planes) {}
+  LeafWriter(PlaneLeaves& leaves, std::vector<std::uint32_t>& tally, std::span<const FramePlane> planes,
+             const Viewpoint& view)
+      : leaves_(leaves), tally_(tally), planes_(planes), view_(view) {}
 
   /// Adds the run, if it is one, to its leaf.
   void put(const LeafRun& run);
@@ -83,6 +87,7 @@ class LeafWriter {
   PlaneLeaves& leaves_;
   std::vector<std::uint32_t>& tally_;
   std::span<const FramePlane> planes_;
+  Viewpoint view_;
   std::vector<Touched> touched_;
 };
 

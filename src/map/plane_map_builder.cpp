@@ -3,6 +3,7 @@
 #include "straightedge/host/plane_map_builder.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
 #include "map/plane_export.hpp"
@@ -90,7 +91,8 @@ Result<RegisteredFrame> PlaneMapBuilder::add(const DepthView& depth, ImageView<c
   const auto ready =
       prepare_frame(options_, leaves_, pixels, largest_label(labels), planes, world_from_camera);
   if (!ready) return ready.failure();
-  LeafWriter writer(leaves_, tally_, *ready);
+  const double focal = std::min(std::abs(depth.camera.fx), std::abs(depth.camera.fy));
+  LeafWriter writer(leaves_, tally_, *ready, {world_from_camera, focal});
   const LeftOut out = register_depth(depth, labels, *ready, world_from_camera, writer);
   RegisteredFrame frame = writer.finish();
   frame.off_plane = out.off_plane;
@@ -106,7 +108,7 @@ Result<RegisteredFrame> PlaneMapBuilder::add(const PointsView& points, std::span
   const std::uint16_t largest = *std::max_element(labels.begin(), labels.end());
   const auto ready = prepare_frame(options_, leaves_, points.count, largest, planes, world_from_sensor);
   if (!ready) return ready.failure();
-  LeafWriter writer(leaves_, tally_, *ready);
+  LeafWriter writer(leaves_, tally_, *ready, {world_from_sensor, 0});
   const LeftOut out = register_points(points, labels, *ready, world_from_sensor, writer);
   RegisteredFrame frame = writer.finish();
   frame.off_plane = out.off_plane;

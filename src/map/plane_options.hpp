@@ -14,8 +14,8 @@ inline Result<Done> check_options(const PlaneMapOptions& o) {
                     between(o.reading_floor, 0, 10) && between(o.shared_noise, 1, 1e6) &&
                     between(o.chi_square, 1e-9, 1e9) && between(o.max_angle, 0, 1) &&
                     between(o.max_offset, 0, 1) && between(o.max_tilt, 0, 2) && between(o.copy_angle, 0, 1) &&
-                    between(o.copy_offset, 0, 1) && between(o.max_residual, 1e-9, 1e9) && between(o.min_area, 0, 1e6) &&
-                    between(o.max_gap, 0, 10) && between(o.max_hole, 0, 1e6);
+                    between(o.copy_offset, 0, 1) && between(o.max_residual, 1e-9, 1e9) &&
+                    between(o.min_area, 0, 1e6) && between(o.max_gap, 0, 10) && between(o.max_hole, 0, 1e6);
   if (!good) return Failure{Problem::bad_option, "an option of the plane map is out of its range"};
   return Done{};
 }

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <vector>
 
 namespace straightedge {
 namespace {
 
-/// The pose and the camera in one, in quanta of the grid: place = z (u along_u + v along_v + corner) + origin.
+/// The pose and the camera in one, in quanta of the grid: place = z (u along_u + v along_v + corner) +
+/// origin.
 struct GridCamera {
   Vector3 along_u, along_v, corner, origin;
 };
@@ -72,31 +72,24 @@ struct Segment {
   GridReading at(std::int32_t n) const noexcept { return {i[n], j[n], k[n], residual[n]}; }
 };
 
-/// Weight and spacing of a run by its first reading.
-LeafRun new_run(std::uint32_t label, const GridReading& first, const FramePlane& plane, double inverse,
-                double focal) {
-  LeafRun run;
-  run.label = label;
-  run.first = first;
-  run.weight = plane.weight_by_depth * inverse * inverse + plane.weight_anywhere;
-  // Along a plane's steepest direction neighbouring pixels are z/distance times farther apart.
-  const double z = 1 / inverse;
-  run.spacing = z / focal * std::max(1.0, z / std::max(plane.in_camera.distance, 1e-3));
-  return run;
-}
-
 /// Runs that may go on: the next row of the picture mostly falls into the same leaves as the one before. Each
 /// has one place; a run that is in the way of another goes to its leaf.
 class OpenRuns {
  public:
   explicit OpenRuns(LeafWriter& writer) : writer_(writer), runs_(places) {}
 
+  /// The run to which the reading goes, a new one if need be.
   LeafRun& of(std::uint32_t label, const GridReading& p) {
     const MortonCell leaf = p.leaf();
     const std::uint32_t mixed = leaf.x * 73 + leaf.y * 179 + leaf.z * 283 + label * 97;
-    return runs_[mixed % places];
+    LeafRun& run = runs_[mixed % places];
+    if (run.label == label && run.first.same_leaf(p) && run.readings < LeafRun::most_readings) return run;
+    writer_.put(run);
+    run = {};
+    run.label = label;
+    run.first = p;
+    return run;
   }
-  void put(const LeafRun& run) { writer_.put(run); }
   void put_all() {
     for (const LeafRun& run : runs_) writer_.put(run);
   }
@@ -107,10 +100,6 @@ class OpenRuns {
   LeafWriter& writer_;
   std::vector<LeafRun> runs_;
 };
-
-bool continues(const LeafRun& run, std::uint32_t label, const GridReading& p) {
-  return run.label == label && run.first.same_leaf(p) && run.readings < LeafRun::most_readings;
-}
 
 inline void add_reading(LeafRun& run, const GridReading& p) {
   constexpr std::int32_t within = plane_grid::leaf_side - 1;
@@ -152,7 +141,6 @@ LeftOut register_depth(const DepthView& depth, ImageView<const std::uint16_t> la
                        LeafWriter& writer) {
   LeftOut out;
   const GridCamera grid = grid_camera(depth.camera, world_from_camera);
-  const double focal = std::min(std::abs(depth.camera.fx), std::abs(depth.camera.fy));
   Segment segment;
   OpenRuns runs(writer);
   for (std::int32_t y = 0; y < depth.raw.height; ++y) {
@@ -182,12 +170,7 @@ LeftOut register_depth(const DepthView& depth, ImageView<const std::uint16_t> la
           ++n;
           continue;
         }
-        LeafRun& run = runs.of(label[first], p);
-        if (!continues(run, label[first], p)) {
-          runs.put(run);
-          run = new_run(label[first], p, plane, in_row.by_u * (first + n) + in_row.constant, focal);
-        }
-        n = add_neighbours(run, segment, n, count, far_off);
+        n = add_neighbours(runs.of(label[first], p), segment, n, count, far_off);
       }
     }
   }
@@ -214,8 +197,8 @@ LeftOut register_points(const PointsView& points, std::span<const std::uint16_t>
       ++out.off_plane;
       continue;
     }
-    const Vector3 on_plane = along_ray ? (distance / (distance + beyond)) * reading
-                                       : reading - beyond * plane.in_camera.normal;
+    const Vector3 on_plane =
+        along_ray ? (distance / (distance + beyond)) * reading : reading - beyond * plane.in_camera.normal;
     // Step 2.
     const Vector3 place = plane_grid::quanta_per_m * world_from_sensor.apply(on_plane) +
                           Vector3{grid_middle, grid_middle, grid_middle};
@@ -228,16 +211,7 @@ LeftOut register_points(const PointsView& points, std::span<const std::uint16_t>
       continue;
     }
     // Step 3.
-    LeafRun& run = runs.of(label, p);
-    if (!continues(run, label, p)) {
-      runs.put(run);
-      run = {};
-      run.label = label;
-      run.first = p;
-      run.weight = plane.weight_anywhere;
-      if (along_ray) run.weight = plane.weight_by_depth / (on_plane.z * on_plane.z);
-    }
-    add_reading(run, p);
+    add_reading(runs.of(label, p), p);
   }
   runs.put_all();
   return out;

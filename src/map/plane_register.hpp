@@ -23,6 +23,7 @@ LeftOut register_depth(const DepthView& depth, ImageView<const std::uint16_t> la
 
 /// The same for a cloud, point by point.
 LeftOut register_points(const PointsView& points, std::span<const std::uint16_t> labels,
-                        std::span<const FramePlane> planes, const Pose& world_from_sensor, LeafWriter& writer);
+                        std::span<const FramePlane> planes, const Pose& world_from_sensor,
+                        LeafWriter& writer);
 
 }  // namespace straightedge

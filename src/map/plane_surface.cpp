@@ -121,10 +121,13 @@ PlaneFit fitted(const Surface& surface, const PlaneMapOptions& options) {
   const double mu = dot(local.tangent_u, local.centroid);
   const double mv = dot(local.tangent_v, local.centroid);
   const std::array<double, 6> scatter = scatter_of(surface.moments);
-  const double var_u = std::min(1.0, options.shared_noise / std::max(1e-12, quadratic(scatter, local.tangent_u)));
-  const double var_v = std::min(1.0, options.shared_noise / std::max(1e-12, quadratic(scatter, local.tangent_v)));
-  local.covariance = {var_u, 0, mu * var_u, var_v, mv * var_v,
-                      options.shared_noise / surface.moments.weight + mu * mu * var_u + mv * mv * var_v};
+  const double var_u =
+      std::min(1.0, options.shared_noise / std::max(1e-12, quadratic(scatter, local.tangent_u)));
+  const double var_v =
+      std::min(1.0, options.shared_noise / std::max(1e-12, quadratic(scatter, local.tangent_v)));
+  local.covariance = {
+      var_u, 0,          mu * var_u,
+      var_v, mv * var_v, options.shared_noise / surface.moments.weight + mu * mu * var_u + mv * mv * var_v};
   local.weight = surface.moments.weight;
   local.count = surface.moments.count;
   const double across_plane = std::max(0.0, quadratic(scatter, local.plane.normal)) + surface.residual;
@@ -142,7 +145,8 @@ Agreement agree(const SurfaceEstimate& plane, const SurfaceEstimate& piece, cons
   if (square(offset) > square(options.max_offset)) return {};
   const auto tilt = [&](const Vector3& t, double var) {
     const double error = side * dot(t, piece.normal);
-    return square(error) / (var + piece.var_u * square(dot(t, piece.u)) + piece.var_v * square(dot(t, piece.v)));
+    return square(error) /
+           (var + piece.var_u * square(dot(t, piece.u)) + piece.var_v * square(dot(t, piece.v)));
   };
   const double var_offset = plane.var_offset + piece.var_offset + plane.var_u * square(dot(plane.u, from)) +
                             plane.var_v * square(dot(plane.v, from));

@@ -14,8 +14,8 @@ namespace straightedge {
 /// Sums over leaves in metres: what the leaves' integers mean. A leaf, a patch and a whole plane are all
 /// surfaces.
 struct Surface {
-  Vector3 origin;        ///< world; the moments count from here
-  PlaneMoments moments;  ///< weights 1/m²; count: readings
+  Vector3 origin;          ///< world; the moments count from here
+  PlaneMoments moments;    ///< weights 1/m²; count: readings
   Vector3 towards_camera;  ///< sum of w · normal; of a plane of several patches, turned to one side
   double tilt = 0;         ///< sum of w · variance of the normal
   double residual = 0;     ///< sum of w · squared distance from the frame's plane

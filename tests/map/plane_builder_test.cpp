@@ -105,6 +105,24 @@ TEST_CASE("planes ten centimetres apart stay two, and so does a step of five") {
   CHECK(std::abs(plane_at(reading.map, {0, 1, 0}, 2 - step).plane.distance - (2 - step)) < 0.005);
 }
 
+TEST_CASE("a wall that a wrong pose shows behind itself is one plane; what can be seen beside it is another") {
+  Frame right = scene::seen(wall, scene::look({0, 0, 1.2}, {0, 2, 1.2}), 12);
+  Frame wrong = right;
+  wrong.pose.translation.y += 0.05;
+  CHECK(mapped({right, wrong}).map.planes.size() == 1);
+  wrong.pose.translation.x += 3;
+  CHECK(mapped({right, wrong}).map.planes.size() == 2);
+}
+
+TEST_CASE("readings that scatter too much are a plane only when two frames say so") {
+  const Pose pose = scene::look({0, 0, 1.2}, {0, 2, 1.2});
+  const Frame rough = scene::seen(wall, pose, 13, 2.2), smooth = scene::seen(wall, pose, 13);
+  CHECK(mapped({smooth}).map.planes.size() == 1);
+  CHECK(mapped({rough}).map.planes.empty());
+  CHECK(mapped({rough}).report.too_rough == 1);
+  CHECK(mapped({rough, scene::seen(wall, pose, 14, 2.2)}).map.planes.size() == 1);
+}
+
 TEST_CASE("two pieces of one infinite plane are one plane with two borders") {
   const std::vector<Rectangle> pieces{{{-2.5, 2, 0}, {1.5, 0, 0}, {0, 0, 2}, {}, 1},
                                       {{1, 2, 0}, {1.5, 0, 0}, {0, 0, 2}, {}, 2}};
@@ -149,7 +167,8 @@ TEST_CASE("a map a kilometre away is the same map there") {
 TEST_CASE("crumbs are dropped, and their frames' labels get id 0") {
   const std::vector<Rectangle> scene{wall[0], {{0, 1, 1}, {0.06, 0, 0}, {0, 0, 0.3}, {}, 2}};
   PlaneMapBuilder builder(scene::options());
-  const RegisteredFrame frame = scene::add(builder, scene::seen(scene, scene::look({0, -1, 1.2}, {0, 2, 1.2}), 3));
+  const RegisteredFrame frame =
+      scene::add(builder, scene::seen(scene, scene::look({0, -1, 1.2}, {0, 2, 1.2}), 3));
   REQUIRE(frame.planes.size() == 2);
   const PlaneMapReading reading = scene::read(builder);
   REQUIRE(reading.map.planes.size() == 1);

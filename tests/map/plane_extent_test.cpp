@@ -107,7 +107,8 @@ TEST_CASE("a wall with a door and a window") {
   PlaneMapBuilder builder(scene::options());
   for (int i = 0; i < 12; ++i) {
     const double x = -1.6 + 0.3 * i;
-    scene::add(builder, scene::seen(wall, scene::look({x, -1.2, 1.25}, {x, 2, 1.25}), 30 + static_cast<std::uint64_t>(i)));
+    scene::add(builder, scene::seen(wall, scene::look({x, -1.2, 1.25}, {x, 2, 1.25}),
+                                    30 + static_cast<std::uint64_t>(i)));
   }
   const PlaneMapReading reading = scene::read(builder);
   REQUIRE(reading.map.planes.size() == 1);

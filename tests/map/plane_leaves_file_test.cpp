@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include "straightedge/host/plane_leaves_file.hpp"
 #include "io/temporary_folder.hpp"
 #include "plane_scene.hpp"
-#include "straightedge/host/plane_leaves_file.hpp"
 
 using namespace straightedge;
 
@@ -108,7 +108,8 @@ TEST_CASE("changed bytes are refused or read, and what is read can be built") {
     Pcg32 random(seed);
     std::string changed = bytes;
     for (int i = 0; i < 3; ++i)
-      changed[8 + random.below(static_cast<std::uint32_t>(bytes.size() - 8))] = static_cast<char>(random.next());
+      changed[8 + random.below(static_cast<std::uint32_t>(bytes.size() - 8))] =
+          static_cast<char>(random.next());
     const auto leaves = plane_leaves_from_bytes(changed, "changed");
     if (!leaves) continue;
     PlaneMapBuilder builder(scene::options());

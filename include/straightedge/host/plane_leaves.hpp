@@ -18,17 +18,17 @@ namespace straightedge {
 namespace plane_grid {
 inline constexpr double quanta_per_m = 4096;
 inline constexpr double quantum_m = 1 / quanta_per_m;
-inline constexpr int leaf_bits = 8;                                ///< 256 quanta: a leaf has sides of 1/16 m
-inline constexpr std::int32_t leaf_side = 1 << leaf_bits;          ///< quanta
-inline constexpr double leaf_m = leaf_side * quantum_m;            ///< metres
-inline constexpr int axis_bits = morton_levels;                    ///< leaves along an axis: 2^21
+inline constexpr int leaf_bits = 8;                        ///< 256 quanta: a leaf has sides of 1/16 m
+inline constexpr std::int32_t leaf_side = 1 << leaf_bits;  ///< quanta
+inline constexpr double leaf_m = leaf_side * quantum_m;    ///< metres
+inline constexpr int axis_bits = morton_levels;            ///< leaves along an axis: 2^21
 inline constexpr double reach_m = leaf_m * (1 << (axis_bits - 1));  ///< the grid covers ±65536 m
-inline constexpr double weight_unit = 16;                          ///< one unit of weight, 1/m²
-inline constexpr std::int64_t most_weight = 1 << 16;               ///< of one reading: sigma 1 mm
-inline constexpr double normal_unit = 1.0 / 16384;                 ///< of a unit normal's coordinates
-inline constexpr double tilt_unit = 1.0 / (1 << 24);               ///< of a normal's variance, radians²
-inline constexpr std::int64_t most_tilt = 1 << 14;                 ///< 1.8 degrees
-inline constexpr std::uint16_t no_spacing = 65535;                 ///< quanta
+inline constexpr double weight_unit = 16;                           ///< one unit of weight, 1/m²
+inline constexpr std::int64_t most_weight = 1 << 16;                ///< of one reading: sigma 1 mm
+inline constexpr double normal_unit = 1.0 / 16384;                  ///< of a unit normal's coordinates
+inline constexpr double tilt_unit = 1.0 / (1 << 24);                ///< of a normal's variance, radians²
+inline constexpr std::int64_t most_tilt = 1 << 14;                  ///< 1.8 degrees
+inline constexpr std::uint16_t no_spacing = 65535;                  ///< quanta
 /// Every reading adds at most 2^30 to a sum, so this many fit into 63 bits with room to spare.
 inline constexpr std::uint64_t most_readings = std::uint64_t{1} << 32U;
 }  // namespace plane_grid
@@ -45,13 +45,13 @@ struct PlaneLeafKey {
 /// minimum: in whatever order readings come, the result is the same.
 struct PlaneLeafSums {
   std::uint64_t readings = 0;
-  std::int64_t weight = 0;                                 ///< w = 1/sigma², in weight_unit
-  std::int64_t x = 0, y = 0, z = 0;                        ///< w · place, quanta from the leaf's centre
+  std::int64_t weight = 0;                                      ///< w = 1/sigma², in weight_unit
+  std::int64_t x = 0, y = 0, z = 0;                             ///< w · place, quanta from the leaf's centre
   std::int64_t xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;  ///< w · products of them
   std::int64_t nx = 0, ny = 0, nz = 0;  ///< w · the frame plane's normal towards the camera, in normal_unit
   std::int64_t tilt = 0;                ///< w · variance of that normal, in tilt_unit
-  std::int64_t residual = 0;            ///< w · squared distance of the reading from its frame's plane, quanta²
-  std::uint32_t sightings = 0;          ///< frame planes that count here (docs/plane-map.md)
+  std::int64_t residual = 0;    ///< w · squared distance of the reading from its frame's plane, quanta²
+  std::uint32_t sightings = 0;  ///< frame planes that count here (docs/plane-map.md)
   std::uint16_t spacing = plane_grid::no_spacing;  ///< quanta between neighbouring readings, closest view
 
   void add(const PlaneLeafSums& o) noexcept;

@@ -21,21 +21,21 @@ struct PlaneMapOptions {
   PlaneGate gate;
 
   // While planes are read out.
-  PlaneFloor floor;              ///< what no number of readings averages away
-  double reading_floor = 0.3;    ///< 0..10; such an error too, in standard deviations of one reading
-  double shared_noise = 25;      ///< 1..1e6; neighbouring readings that have one noise in common
-  double chi_square = 11.34;     ///< above 0; gate of "the same plane", 3 degrees of freedom
-  double max_angle = 0.087;      ///< radians, 0..1; never joined beyond it, whatever the uncertainty
-  double max_offset = 0.035;     ///< metres, 0..1; nor beyond this distance
-  double copy_angle = 0.12;      ///< radians, 0..1; a plane that lies over another one, no farther askew
-  double copy_offset = 0.06;     ///< metres, 0..1; and no farther off, is a copy of it
+  PlaneFloor floor;                 ///< what no number of readings averages away
+  double reading_floor = 0.3;       ///< 0..10; such an error too, in standard deviations of one reading
+  double shared_noise = 25;         ///< 1..1e6; neighbouring readings that have one noise in common
+  double chi_square = 11.34;        ///< above 0; gate of "the same plane", 3 degrees of freedom
+  double max_angle = 0.087;         ///< radians, 0..1; never joined beyond it, whatever the uncertainty
+  double max_offset = 0.035;        ///< metres, 0..1; nor beyond this distance
+  double copy_angle = 0.12;         ///< radians, 0..1; a plane that lies over another one, no farther askew
+  double copy_offset = 0.06;        ///< metres, 0..1; and no farther off, is a copy of it
   std::uint64_t min_points = 1500;  ///< planes with fewer readings are dropped
-  double max_tilt = 0.08;        ///< radians, 0..2; planes whose tilt is not known as well as this are dropped
-  double max_residual = 1.55;    ///< sigma, above 0; planes that one frame saw are dropped beyond it
-  double min_area = 0.01;        ///< m², 0..1e6; planes with less extent are dropped, and so are such pieces of one
-  double max_gap = 0.15;         ///< metres, 0..10; places without readings this narrow are closed
-  double max_hole = 0.1;         ///< m², 0..1e6; smaller holes are closed
-  bool polygons = true;          ///< extents too
+  double max_tilt = 0.08;      ///< radians, 0..2; planes whose tilt is not known as well as this are dropped
+  double max_residual = 1.55;  ///< sigma, above 0; planes that one frame saw are dropped beyond it
+  double min_area = 0.01;  ///< m², 0..1e6; planes with less extent are dropped, and so are such pieces of one
+  double max_gap = 0.15;   ///< metres, 0..10; places without readings this narrow are closed
+  double max_hole = 0.1;   ///< m², 0..1e6; smaller holes are closed
+  bool polygons = true;    ///< extents too
 };
 
 /// Where the readings of one frame plane went: the leaves that took most of them.
@@ -46,9 +46,9 @@ struct PlaneAnchors {
 
 /// What became of a frame.
 struct RegisteredFrame {
-  std::uint64_t placed = 0;        ///< readings that are in the map now
-  std::uint64_t off_plane = 0;     ///< labelled, but nowhere near their plane
-  std::uint64_t out_of_range = 0;  ///< beyond the grid's ±65 km
+  std::uint64_t placed = 0;          ///< readings that are in the map now
+  std::uint64_t off_plane = 0;       ///< labelled, but nowhere near their plane
+  std::uint64_t out_of_range = 0;    ///< beyond the grid's ±65 km
   std::vector<PlaneAnchors> planes;  ///< one a frame plane
 };
 
@@ -56,10 +56,11 @@ struct PlaneMapReport {
   std::uint64_t frames = 0;
   std::uint64_t readings = 0;  ///< in leaves
   std::uint64_t leaves = 0;
-  std::uint32_t patches = 0;   ///< pieces of planes, of a metre's size
-  std::uint32_t planes = 0;    ///< in the map
-  std::uint32_t too_few = 0;   ///< dropped for few readings
-  std::uint32_t fragments = 0;  ///< dropped: broken off planes that every frame saw elsewhere for the most part
+  std::uint32_t patches = 0;  ///< pieces of planes, of a metre's size
+  std::uint32_t planes = 0;   ///< in the map
+  std::uint32_t too_few = 0;  ///< dropped for few readings
+  std::uint32_t fragments =
+      0;  ///< dropped: broken off planes that every frame saw elsewhere for the most part
   std::uint32_t too_vague = 0;  ///< dropped for a tilt that nobody knows
   std::uint32_t too_rough = 0;  ///< dropped for readings that scatter too much
   std::uint32_t too_small = 0;  ///< dropped for a small extent
