@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28U;
+constexpr double cloud_threshold_m = 0.02;
 constexpr std::uint64_t most_points = std::uint64_t{1} << 31U;
 
 Failure refusal(const std::string& input, const std::string& sentence) {
@@ -25,11 +26,6 @@ Failure refusal(const std::string& input, const std::string& sentence) {
 
 std::string name_of(PlaneMethod method) {
   return method == PlaneMethod::ransac ? "ransac" : "hough";
-}
-
-bool is_cloud_file(const std::string& input) {
-  const std::string ending = lower_case(fs::path(input).extension().string());
-  return ending == ".pcd" || ending == ".ply";
 }
 
 void PlanesArguments::add_to(CLI::App& command) {
@@ -87,20 +83,21 @@ void PlanesArguments::add_detection(CLI::App& command) {
       command, "--method", methods,
       {{"ransac", Methods::ransac}, {"hough", Methods::hough}, {"both", Methods::both}},
       "how planes are found; both compares the two, and puts -ransac and -hough into the outputs' names");
-  add_real(command, "--sigma", gate_.inverse_sigma, {0, 1, false}, "1/METRES",
-           "standard deviation of 1/depth");
-  add_real(command, "--sigmas", gate_.sigmas, {0, 100, false}, "SIGMAS",
-           "how far from a plane its readings may lie");
-  add_real(command, "--threshold", gate_.fixed_m, {0, 1000}, "METRES",
-           "the same in metres, whatever the depth; 0 takes --sigma and --sigmas");
+  sigma_option_ = add_real(command, "--sigma", gate_.inverse_sigma, {0, 1, false}, "1/METRES",
+                           "standard deviation of 1/depth");
+  sigmas_option_ = add_real(command, "--sigmas", gate_.sigmas, {0, 100, false}, "SIGMAS",
+                            "how far from a plane its readings may lie");
+  threshold_option_ = add_real(command, "--threshold", gate_.fixed_m, {0, 1000}, "METRES",
+                               "the same in metres, whatever the depth; 0 takes --sigma and --sigmas");
   add_whole(command, "--min-pixels", min_pixels_, {0, most_pixels}, "PIXELS",
-            "smaller planes of a frame are dropped; 0 is a thousandth of the frame, at least 64");
-  add_whole(command, "--max-planes", max_planes_, {1, 256}, "N", "planes of a frame");
+            "smaller planes of a frame or cloud are dropped; 0 is a thousandth of it, at least 64");
+  add_whole(command, "--max-planes", max_planes_, {1, 256}, "N", "planes of a frame or cloud");
 }
 
 void PlanesArguments::add_map(CLI::App& command) {
   add_whole(command, "--min-points", min_points_, {0, most_points}, "READINGS",
-            "planes of the map with fewer are dropped");
+            "planes of the map with fewer are dropped; 0 is " + io::to_text(PlaneMapOptions{}.min_points) +
+                ", and for a cloud what --min-pixels is");
   add_choice(command, "--up", up,
              {{"auto", UpAxis::automatic}, {"z", UpAxis::z}, {"y", UpAxis::y}, {"-y", UpAxis::minus_y}},
              "which axis points up in pictures; auto: as the cameras say");
@@ -121,7 +118,7 @@ std::vector<PlaneMethod> PlanesArguments::method_list() const {
 PlaneDetectorOptions PlanesArguments::detector_options(PlaneMethod method) const {
   PlaneDetectorOptions options;
   options.method = method;
-  options.frame.gate = gate_;
+  options.frame.gate = gate();
   options.frame.min_pixels = static_cast<std::uint32_t>(min_pixels_);
   options.frame.max_planes = static_cast<std::uint32_t>(max_planes_);
   options.ransac.seed = common.seed;
@@ -132,10 +129,45 @@ PlaneDetectorOptions PlanesArguments::detector_options(PlaneMethod method) const
   return options;
 }
 
-PlaneMapOptions PlanesArguments::map_options() const {
+std::uint32_t PlanesArguments::least_points(std::size_t points) const {
+  if (min_pixels_ > 0) return std::max(3U, static_cast<std::uint32_t>(min_pixels_));
+  return std::max(64U, static_cast<std::uint32_t>(points / 1000));
+}
+
+CloudOptions PlanesArguments::cloud_options(std::size_t points) const {
+  CloudOptions options;
+  options.ransac.gate = options.hough.gate = gate();
+  options.ransac.min_inliers = options.hough.min_points = least_points(points);
+  options.ransac.max_planes = options.hough.max_planes = static_cast<std::uint32_t>(max_planes_);
+  options.ransac.min_share = 0;
+  if (getenv("NR")) options.ransac.near_radius = atof(getenv("NR"));
+  if (getenv("IT")) options.ransac.max_iterations = atoi(getenv("IT"));
+  if (getenv("SUB")) options.ransac.subset = atoi(getenv("SUB"));
+  if (getenv("TM")) options.hough.triple_max_m = atof(getenv("TM"));
+  if (getenv("TN")) options.hough.triple_min_m = atof(getenv("TN"));
+  if (getenv("DS")) options.hough.distance_step_m = atof(getenv("DS"));
+  options.ransac.seed = options.hough.seed = common.seed;
+  return options;
+}
+
+PlaneGate PlanesArguments::gate() const {
+  PlaneGate gate = gate_;
+  const bool model = sigma_option_->count() + sigmas_option_->count() > 0;
+  if (is_cloud() && threshold_option_->count() == 0 && !model) gate.fixed_m = cloud_threshold_m;
+  return gate;
+}
+
+bool PlanesArguments::is_cloud() const {
+  std::error_code error;
+  const std::string ending = lower_case(fs::path(input).extension().string());
+  return (ending == ".pcd" || ending == ".ply") && !fs::is_directory(input, error);
+}
+
+PlaneMapOptions PlanesArguments::map_options(std::size_t points) const {
   PlaneMapOptions options;
-  options.gate = gate_;
-  options.min_points = min_points_;
+  options.gate = gate();
+  if (is_cloud()) options.min_points = least_points(points);
+  if (min_points_ > 0) options.min_points = min_points_;
   return options;
 }
 
@@ -171,7 +203,7 @@ std::string PlanesArguments::input_name() const {
 Result<Done> PlanesArguments::check() const {
   std::error_code error;
   const bool folder = fs::is_directory(input, error);
-  if (is_cloud_file(input) && !folder) {
+  if (is_cloud()) {
     if (!camera.empty()) return refusal(input, "a cloud has no camera; leave --camera out");
     if (units_per_metre()) return refusal(input, "a cloud has no depth scale; leave --depth-scale out");
     if (!labels.empty()) return refusal(input, "a cloud has no frames for --labels; --ply has its labels");

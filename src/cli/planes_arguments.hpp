@@ -12,11 +12,19 @@
 #include "straightedge/host/plane_detector.hpp"
 #include "straightedge/host/plane_map_builder.hpp"
 #include "straightedge/host/plane_view.hpp"
+#include "straightedge/hough_plane_options.hpp"
+#include "straightedge/ransac_options.hpp"
 
 namespace straightedge::cli {
 
 /// `ransac` or `hough`, as options and files say it.
 std::string name_of(PlaneMethod method);
+
+/// How planes of a cloud are found.
+struct CloudOptions {
+  RansacOptions ransac;
+  HoughPlaneOptions hough;
+};
 
 /// What `planes` is told. The object must stay where it is until the arguments are parsed.
 struct PlanesArguments {
@@ -36,11 +44,16 @@ struct PlanesArguments {
 
   std::vector<PlaneMethod> method_list() const;
   PlaneDetectorOptions detector_options(PlaneMethod method) const;
-  PlaneMapOptions map_options() const;
+  std::uint32_t max_planes() const { return static_cast<std::uint32_t>(max_planes_); }
+  /// For a cloud of so many points.
+  CloudOptions cloud_options(std::size_t points) const;
+  PlaneMapOptions map_options(std::size_t points = 0) const;
   SequenceOptions sequence_options() const;
   std::optional<double> units_per_metre() const;
   /// The options of one method in words, seed and the input's name included, as files hold them.
   std::string words(PlaneMethod method) const;
+  /// By its ending, .pcd or .ply.
+  bool is_cloud() const;
   /// Without folders, and without a slash at the end.
   std::string input_name() const;
   /// Fails with `bad_option` where options contradict the kind of input, or lack a name.
@@ -52,15 +65,20 @@ struct PlanesArguments {
   void add_detection(CLI::App& command);
   void add_map(CLI::App& command);
 
+  /// In metres for clouds, unless the options say otherwise.
+  PlaneGate gate() const;
+
+  std::uint32_t least_points(std::size_t points) const;
+
   PlaneGate gate_;
   std::int32_t min_pixels_ = 0;
   std::int32_t max_planes_ = 64;
-  std::uint64_t min_points_ = PlaneMapOptions{}.min_points;
+  std::uint64_t min_points_ = 0;
   double depth_scale_ = 0;
   CLI::Option* depth_scale_option_ = nullptr;
+  CLI::Option* sigma_option_ = nullptr;
+  CLI::Option* sigmas_option_ = nullptr;
+  CLI::Option* threshold_option_ = nullptr;
 };
-
-/// The ending says what the input is: .pcd and .ply are clouds.
-bool is_cloud_file(const std::string& input);
 
 }  // namespace straightedge::cli

@@ -4,6 +4,7 @@
 
 #include "cli/created_time.hpp"
 #include "cli/planes_arguments.hpp"
+#include "cli/planes_cloud.hpp"
 #include "cli/planes_outputs.hpp"
 #include "cli/planes_report.hpp"
 #include "cli/planes_run.hpp"
@@ -36,15 +37,22 @@ std::vector<fs::path> inputs_of(const PlanesArguments& arguments, const DepthSeq
   return inputs;
 }
 
+/// A cloud is a sequence of one frame to all but the search itself.
+Result<DepthSequence> open_source(const PlanesArguments& arguments) {
+  if (!arguments.is_cloud()) return open_depth_source(arguments);
+  return DepthSequence{};
+}
+
 Result<Done> run(const PlanesArguments& arguments) {
   if (auto fine = arguments.check(); !fine) return fine;
-  const auto sequence = open_depth_source(arguments);
+  const auto sequence = open_source(arguments);
   if (!sequence) return sequence.failure();
   PlanesOutputs outputs(arguments);
   if (auto fine = outputs.check(inputs_of(arguments, *sequence), sequence->frames); !fine) return fine;
   auto made = [&] {
     Progress progress(arguments.input, arguments.common.quiet);
-    return run_planes(arguments, *sequence, progress);
+    return arguments.is_cloud() ? run_cloud(arguments, arguments.input)
+                                : run_planes(arguments, *sequence, progress);
   }();
   if (!made) return made.failure();
   describe(*made, arguments);

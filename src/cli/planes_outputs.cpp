@@ -38,6 +38,7 @@ std::string with_method(const std::string& path, PlaneMethod method) {
 
 std::vector<Pose> camera_path(const PlanesRun& run) {
   std::vector<Pose> path;
+  if (run.cloud) return path;
   for (const SequenceFrame& frame : run.frames) path.push_back(*frame.pose);
   return path;
 }
@@ -93,9 +94,18 @@ Result<std::vector<PlanesOutputs::Points>> PlanesOutputs::collect_points(const P
     const MethodRun* const method = &run.methods[m];
     if (!arguments_.ply.empty() && !wants_polygons(arguments_.ply)) {
       const MapMeta& meta = method->reading.map.meta;
-      all[m].ply = std::make_shared<PointsPly>(std::vector<std::string>{meta.tool + " planes", meta.options});
-      sinks.push_back({method, thinning_step(run, arguments_.ply_points),
-                       [&ply = *all[m].ply](const Vector3& at, std::uint32_t id) { ply.add(at, id); }});
+      const std::vector<std::string> comments = {meta.tool + " planes", meta.options};
+      if (run.cloud) {
+        // Point i of the file is point i of the input.
+        all[m].ply = std::make_shared<PointsPly>(comments, InvalidPoints::keep);
+        const MethodFrame& frame = method->frames.front();
+        if (auto added = all[m].ply->add(run.cloud->view(), ids_of(frame.labels, frame.ids)); !added)
+          return added.failure();
+      } else {
+        all[m].ply = std::make_shared<PointsPly>(comments);
+        sinks.push_back({method, thinning_step(run, arguments_.ply_points),
+                         [&ply = *all[m].ply](const Vector3& at, std::uint32_t id) { ply.add(at, id); }});
+      }
     }
     if (arguments_.html.empty()) continue;
     sinks.push_back(

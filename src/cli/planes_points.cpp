@@ -24,17 +24,33 @@ std::uint64_t send_frame(const PlanesRun& run, const Image<std::uint16_t>& depth
   return number;
 }
 
+void send_cloud(const PointsView& points, const std::vector<std::uint32_t>& ids, const PointSink& sink) {
+  std::uint64_t number = 0;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const Vector3 at = points.at(i);
+    if (finite(at) && number++ % sink.step == 0) sink.take(at, ids[i]);
+  }
+}
+
 }  // namespace
 
 std::uint64_t thinning_step(const PlanesRun& run, std::uint64_t most) {
   std::uint64_t step = (run.readings + most - 1) / most;
   if (step <= 1) return 1;
-  while (std::gcd(step, static_cast<std::uint64_t>(run.size.width)) > 1) ++step;
+  const auto width = static_cast<std::uint64_t>(run.cloud ? run.cloud->width : run.size.width);
+  while (width > 0 && std::gcd(step, width) > 1) ++step;
   return step;
 }
 
 Result<Done> send_points(const PlanesRun& run, std::vector<PointSink>& sinks) {
   if (sinks.empty()) return Done{};
+  if (run.cloud) {
+    for (const PointSink& sink : sinks) {
+      const MethodFrame& frame = sink.method->frames.front();
+      send_cloud(run.cloud->view(), ids_of(frame.labels, frame.ids), sink);
+    }
+    return Done{};
+  }
   std::uint64_t number = 0;
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     const auto depth = read_depth_frame(run.frames[i].file, run.camera);

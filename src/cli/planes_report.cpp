@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cli/planes_compare.hpp"
 #include "cli/program.hpp"
 #include "io/number_text.hpp"
 
@@ -102,11 +103,16 @@ Json json_of(const MethodRun& method, const PlanesRun& run, const PlanesArgument
 }  // namespace
 
 std::string words_of(const PlanesRun& run, const PlanesArguments& arguments, const std::string& written) {
-  std::string words = arguments.input + "\n  " + count(run.frames.size(), "frame") + " of " +
-                      io::to_text(run.size.width) + " x " + io::to_text(run.size.height) + " pixels, " +
-                      count(run.readings, "reading");
+  std::string words = arguments.input + "\n  ";
+  if (run.cloud) {
+    words += count(run.cloud->x.size(), "point") + ", " + count(run.readings, "reading");
+  } else {
+    words += count(run.frames.size(), "frame") + " of " + io::to_text(run.size.width) + " x " +
+             io::to_text(run.size.height) + " pixels, " + count(run.readings, "reading");
+  }
   if (!run.skipped.empty()) words += "; " + count(run.skipped.size(), "bad frame") + " skipped";
   for (const MethodRun& method : run.methods) words += words_of(method, run.readings);
+  if (run.methods.size() > 1) words += "\n" + table_of(compare_methods(run));
   return written.empty() ? words : words + "\n  written: " + written;
 }
 
@@ -116,11 +122,12 @@ std::string json_of(const PlanesRun& run, const PlanesArguments& arguments) {
     skipped.push_back({{"name", frame.name}, {"reason", frame.reason}});
   Json methods = Json::array();
   for (const MethodRun& method : run.methods) methods.push_back(json_of(method, run, arguments));
-  const Json numbers = {{"program", version_text()},       {"command", "planes"},
-                        {"input", arguments.input_name()}, {"width", run.size.width},
-                        {"height", run.size.height},       {"seed", arguments.common.seed},
-                        {"frames", run.frames.size()},     {"readings", run.readings},
-                        {"skipped", std::move(skipped)},   {"methods", std::move(methods)}};
+  Json numbers = {{"program", version_text()},       {"command", "planes"},
+                  {"input", arguments.input_name()}, {"width", run.size.width},
+                  {"height", run.size.height},       {"seed", arguments.common.seed},
+                  {"frames", run.frames.size()},     {"readings", run.readings},
+                  {"skipped", std::move(skipped)},   {"methods", std::move(methods)}};
+  if (run.methods.size() > 1) numbers["comparison"] = json_of(compare_methods(run));
   return numbers.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

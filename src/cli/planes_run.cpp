@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/picture_input.hpp"
+#include "cli/planes_first.hpp"
 #include "cli/program.hpp"
 #include "cli/streams.hpp"
 #include "io/number_text.hpp"
@@ -15,7 +16,10 @@
 namespace straightedge::cli {
 namespace {
 
-using Detectors = std::vector<PlaneDetector>;
+struct Detectors {
+  std::vector<PlaneDetector> all;
+  std::vector<FirstPlane> first;  ///< empty for a single method
+};
 
 std::string text_of(Size size) {
   return io::to_text(size.width) + " x " + io::to_text(size.height) + " pixels";
@@ -31,13 +35,19 @@ std::optional<Failure> known_problem(const SequenceFrame& frame) {
 /// One of each method, for the size of the first good frame.
 Result<Detectors> make_detectors(const PlanesArguments& arguments, const SequenceFrame& frame, Size size) {
   Detectors detectors;
-  for (const PlaneMethod method : arguments.method_list()) {
+  const std::vector<PlaneMethod> methods = arguments.method_list();
+  for (const PlaneMethod method : methods) {
     const PlaneDetectorOptions options = arguments.detector_options(method);
     const std::size_t bytes = FramePlanes::workspace_bytes(size, options.frame);
     if (auto fits = check_memory(frame.file, bytes); !fits) return fits.failure();
     auto made = PlaneDetector::create(size, options);
     if (!made) return Failure{made.failure().problem, frame.file.string() + ": " + made.failure().sentence};
-    detectors.push_back(std::move(*made));
+    detectors.all.push_back(std::move(*made));
+    if (methods.size() == 1) continue;
+    auto first = FirstPlane::create(size, options);
+    if (!first)
+      return Failure{first.failure().problem, frame.file.string() + ": " + first.failure().sentence};
+    detectors.first.push_back(std::move(*first));
   }
   return detectors;
 }
@@ -45,9 +55,9 @@ Result<Detectors> make_detectors(const PlanesArguments& arguments, const Sequenc
 Result<std::vector<MethodFrame>> look_at(Detectors& detectors, std::vector<MethodRun>& methods,
                                          const DepthView& depth, const Pose& pose) {
   std::vector<MethodFrame> seen;
-  for (std::size_t m = 0; m < detectors.size(); ++m) {
+  for (std::size_t m = 0; m < detectors.all.size(); ++m) {
     const auto before = std::chrono::steady_clock::now();
-    auto detected = detectors[m].detect(depth);
+    auto detected = detectors.all[m].detect(depth);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - before;
     if (!detected) return detected.failure();
     auto registered = methods[m].builder.add(depth, detected->labels, detected->planes, pose);
@@ -59,6 +69,7 @@ Result<std::vector<MethodFrame>> look_at(Detectors& detectors, std::vector<Metho
                     .found = detected->found,
                     .registered = std::move(*registered),
                     .ids = {},
+                    .first_ms = detectors.first.empty() ? 0 : detectors.first[m].time(depth),
                     .detection_ms = time.count()});
   }
   return seen;
@@ -95,6 +106,8 @@ struct Walk {
   }
 };
 
+}  // namespace
+
 Result<Done> read_map(MethodRun& method) {
   auto reading = method.builder.build();
   if (!reading) return reading.failure();
@@ -106,8 +119,6 @@ Result<Done> read_map(MethodRun& method) {
   }
   return Done{};
 }
-
-}  // namespace
 
 Result<PlanesRun> run_planes(const PlanesArguments& arguments, const DepthSequence& sequence,
                              Progress& progress) {

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "cli/planes_arguments.hpp"
 #include "cli/planes_labels.hpp"
 #include "cli/progress.hpp"
+#include "straightedge/host/cloud.hpp"
 
 namespace straightedge::cli {
 
@@ -19,7 +21,8 @@ struct MethodFrame {
   PlanesFound found;
   RegisteredFrame registered;
   std::vector<std::uint32_t> ids;  ///< the map's id of each plane; 0: the map dropped it
-  double detection_ms = 0;
+  double first_ms = 0;             ///< time to the first plane; only where both methods are compared
+  double detection_ms = 0;         ///< time to all planes
 };
 
 /// One method, all frames, its map.
@@ -36,6 +39,7 @@ struct SkippedFrame {
 };
 
 struct PlanesRun {
+  std::shared_ptr<const Cloud> cloud;  ///< the input, if it is one; it then has one frame, without pixels
   DepthCamera camera;
   Size size;
   std::vector<SequenceFrame> frames;  ///< the good ones
@@ -43,6 +47,9 @@ struct PlanesRun {
   std::uint64_t readings = 0;  ///< of all frames
   std::vector<MethodRun> methods;
 };
+
+/// Reads the planes out of all that was registered, and gives the frames' planes their ids.
+Result<Done> read_map(MethodRun& method);
 
 /// Every frame through every method, into one map a method. Bad frames get a line on stderr and are left
 /// out; with --strict the first one is the failure. bad_content: no good frame.

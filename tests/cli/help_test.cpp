@@ -7,7 +7,8 @@
 
 namespace {
 
-const std::vector<std::string> commands = {"edges", "hough", "lines", "explain", "show", "validate"};
+const std::vector<std::string> commands = {"edges",  "hough", "lines", "explain",
+                                           "planes", "merge", "show",  "validate"};
 
 struct HelpOption {
   std::string name;   ///< "--low"
@@ -51,10 +52,13 @@ TEST_CASE("help and version are data") {
 }
 
 TEST_CASE("every option is in the help with its unit and default") {
-  const std::set<std::string> flags = {"--help", "--quiet",  "--json",   "--version",
-                                       "--l2",   "--metres", "--negate", "--auto-thresholds"};
-  const std::set<std::string> without_default = {"--output", "--svg",         "--png",    "--csv",
-                                                 "--name",   "--description", "--created"};
+  const std::set<std::string> flags = {"--help",  "--quiet",  "--json",   "--version",
+                                       "--l2",    "--metres", "--negate", "--auto-thresholds",
+                                       "--strict"};
+  const std::set<std::string> without_default = {
+      "--output",      "--svg",     "--png",           "--csv",    "--name",
+      "--description", "--created", "--labels",        "--ply",    "--ply-polygons",
+      "--html",        "--leaves",  "--leaves-output", "--camera", "--trajectory"};
   for (const std::string& command : commands) {
     const auto options = options_of(run_program({command, "--help"}).out);
     std::set<std::string> names;
