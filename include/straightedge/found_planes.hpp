@@ -35,7 +35,7 @@ struct PlanesFound {
 ///
 /// With gate.fixed_m, nearest is by distance in metres. Otherwise z is the depth that a sensor at the
 /// origin measured, and nearest is by the difference of 1/z from the plane's along the point's ray: the
-/// most likely plane. The gate then is sigmas · inverse_sigma, which is threshold_m(z) to first order; points
+/// most likely plane. The gate then is sigmas · inverse_noise(1/z), which is threshold_m(z) to first order; points
 /// with z <= 0 and planes through the origin get nothing. Points that are not finite have label 0.
 ///
 /// `labels` has one entry a point, `labelled` says how many got a plane. Points times planes in time.

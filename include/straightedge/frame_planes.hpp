@@ -13,7 +13,7 @@
 #include "straightedge/detail/quadratic_surface.hpp"
 #include "straightedge/found_planes.hpp"
 #include "straightedge/inverse_depth.hpp"
-#include "straightedge/plane_search.hpp"
+#include "straightedge/frame_planes_search.hpp"
 
 namespace straightedge {
 

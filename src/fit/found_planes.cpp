@@ -26,7 +26,8 @@ struct Block {
       x[i] = reading ? p.x : std::numeric_limits<double>::quiet_NaN();
       y[i] = p.y;
       z[i] = p.z;
-      limit[i] = fixed ? gate.fixed_m : gate.sigmas * gate.inverse_sigma * p.z;
+      const double kinect = reading && p.z > 0 ? gate.sigmas * gate.inverse_noise(1 / p.z) * p.z : 0;
+      limit[i] = fixed ? gate.fixed_m : kinect;
       residual[i] = nowhere;
       label[i] = 0;
     }

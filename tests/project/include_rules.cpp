@@ -36,20 +36,32 @@ const Names core_headers = {"algorithm", "array",   "bit",     "climits", "compa
 
 // Other people's libraries and the one module that may see each.
 const std::map<std::string, Names> library_users = {
-    {"tinyxml2.h", {"io"}}, {"stb", {"io"}},   {"png.h", {"io"}},      {"zlib.h", {"io"}},
-    {"yaml-cpp/", {"io"}},  {"CLI/", {"cli"}}, {"nlohmann/", {"cli", "io"}}, {"Eigen/", {"map"}},
-    {"opencv", {}},         {"boost/", {}},    {"pcl/", {}},
+    {"tinyxml2.h", {"io"}},
+    {"stb", {"io"}},
+    {"png.h", {"io"}},
+    {"zlib.h", {"io"}},
+    {"yaml-cpp/", {"io"}},
+    {"CLI/", {"cli"}},
+    {"nlohmann/", {"cli", "io"}},
+    {"Eigen/", {"map"}},
+    {"opencv", {}},
+    {"boost/", {}},
+    {"pcl/", {}},
 };
 
-// The module whose name starts the header's, or that has a .cpp of the header's name. A header in host/
-// belongs to a host module or to "host".
+// The module whose name starts the header's, or that has a .cpp of the header's name or of words it begins
+// with. A header in host/ belongs to a host module or to "host".
 std::string owner_of_public_header(const fs::path& root, const fs::path& header) {
   const std::string stem = header.stem().string();
   const bool host = header.parent_path().filename() == "host";
   for (const auto& [module, allowed] : may_include) {
     if (core_modules.contains(module) == host) continue;
     if (!host && (stem == module || stem.starts_with(module + "_"))) return module;
-    if (fs::exists(root / "src" / module / (stem + ".cpp"))) return module;
+    for (std::string name = stem; !name.empty();) {
+      if (fs::exists(root / "src" / module / (name + ".cpp"))) return module;
+      const std::size_t end = name.rfind('_');
+      name = end == std::string::npos ? "" : name.substr(0, end);
+    }
   }
   return host ? "host" : "base";
 }
