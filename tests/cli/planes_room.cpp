@@ -40,7 +40,7 @@ void put(const std::filesystem::path& file, const std::string& text) {
 
 DepthCamera camera() {
   DepthCamera camera;
-  camera.pinhole = {130, 130, 79.5, 59.5};
+  camera.pinhole = {80, 80, 79.5, 59.5};
   camera.units_per_metre = 5000;
   camera.size = Size{160, 120};
   return camera;
@@ -65,7 +65,7 @@ Image<std::uint16_t> depth(const Pose& world_from_camera) {
 }
 
 std::string camera_json() {
-  return R"({"fx": 130, "fy": 130, "cx": 79.5, "cy": 59.5, "depth_scale": 5000, "width": 160, "height": 120})";
+  return R"({"fx": 80, "fy": 80, "cx": 79.5, "cy": 59.5, "depth_scale": 5000, "width": 160, "height": 120})";
 }
 
 std::string pose_line(int i, double shift_x) {
