@@ -85,7 +85,7 @@ void PlanesArguments::add_detection(CLI::App& command) {
       command, "--method", methods,
       {{"ransac", Methods::ransac}, {"hough", Methods::hough}, {"both", Methods::both}},
       "how planes are found; both compares the two, and puts -ransac and -hough into the outputs' names");
-  sigma_option_ = add_real(command, "--sigma", gate_.inverse_sigma, {0, 1, false}, "1/METRES",
+  sigma_option_ = add_real(command, "--sigma", gate_.inverse_sigma, {0, 1, false}, "PER_METRE",
                            "standard deviation of 1/depth");
   sigmas_option_ = add_real(command, "--sigmas", gate_.sigmas, {0, 100, false}, "SIGMAS",
                             "how far from a plane its readings may lie");

@@ -73,7 +73,7 @@ std::string pose_line(int i, double shift_x) {
   const double c = std::cos(i * yaw_step / 2), s = std::sin(i * yaw_step / 2);
   std::string line = io::to_text(i) + " " + io::to_text(shift_x) + " 0 " + io::to_text(height_m);
   for (const double q : {-0.5 * (c + s), 0.5 * (c - s), -0.5 * (c - s), 0.5 * (c + s)})
-    line += " " + io::to_text(q);
+    line.append(" ").append(io::to_text(q));
   return line + "\n";
 }
 
