@@ -15,7 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28U;
-constexpr double cloud_threshold_m = 0.02;
+constexpr double least_threshold_m = 0.001, most_threshold_m = 0.1;
+constexpr double threshold_noises = 5;  // the noise is that of the flattest half of a cloud
+constexpr double near_spacings = 7;     // as far as the smallest planes reach
 constexpr std::uint64_t most_points = std::uint64_t{1} << 31U;
 
 Failure refusal(const std::string& input, const std::string& sentence) {
@@ -83,7 +85,7 @@ void PlanesArguments::add_detection(CLI::App& command) {
       command, "--method", methods,
       {{"ransac", Methods::ransac}, {"hough", Methods::hough}, {"both", Methods::both}},
       "how planes are found; both compares the two, and puts -ransac and -hough into the outputs' names");
-  sigma_option_ = add_real(command, "--sigma", gate_.inverse_sigma, {0, 1, false}, "1/METRES",
+  sigma_option_ = add_real(command, "--sigma", gate_.inverse_sigma, {0, 1, false}, "PER_METRE",
                            "standard deviation of 1/depth");
   sigmas_option_ = add_real(command, "--sigmas", gate_.sigmas, {0, 100, false}, "SIGMAS",
                             "how far from a plane its readings may lie");
@@ -118,7 +120,7 @@ std::vector<PlaneMethod> PlanesArguments::method_list() const {
 PlaneDetectorOptions PlanesArguments::detector_options(PlaneMethod method) const {
   PlaneDetectorOptions options;
   options.method = method;
-  options.frame.gate = gate();
+  options.frame.gate = gate_;
   options.frame.min_pixels = static_cast<std::uint32_t>(min_pixels_);
   options.frame.max_planes = static_cast<std::uint32_t>(max_planes_);
   options.ransac.seed = common.seed;
@@ -134,26 +136,23 @@ std::uint32_t PlanesArguments::least_points(std::size_t points) const {
   return std::max(64U, static_cast<std::uint32_t>(points / 1000));
 }
 
-CloudOptions PlanesArguments::cloud_options(std::size_t points) const {
+CloudOptions PlanesArguments::cloud_options(std::size_t points, const CloudScale& scale) const {
   CloudOptions options;
-  options.ransac.gate = options.hough.gate = gate();
+  options.ransac.gate = options.hough.gate = gate_of_cloud(scale);
   options.ransac.min_inliers = options.hough.min_points = least_points(points);
-  options.ransac.max_planes = options.hough.max_planes = static_cast<std::uint32_t>(max_planes_);
+  options.ransac.max_planes = options.hough.max_planes = max_planes();
   options.ransac.min_share = 0;
-  if (getenv("NR")) options.ransac.near_radius = atof(getenv("NR"));
-  if (getenv("IT")) options.ransac.max_iterations = atoi(getenv("IT"));
-  if (getenv("SUB")) options.ransac.subset = atoi(getenv("SUB"));
-  if (getenv("TM")) options.hough.triple_max_m = atof(getenv("TM"));
-  if (getenv("TN")) options.hough.triple_min_m = atof(getenv("TN"));
-  if (getenv("DS")) options.hough.distance_step_m = atof(getenv("DS"));
+  options.ransac.near_radius = options.hough.triple_max_m = near_spacings * scale.spacing_m;
+  options.hough.triple_min_m = options.hough.triple_max_m / 4;
   options.ransac.seed = options.hough.seed = common.seed;
   return options;
 }
 
-PlaneGate PlanesArguments::gate() const {
+PlaneGate PlanesArguments::gate_of_cloud(const CloudScale& scale) const {
   PlaneGate gate = gate_;
-  const bool model = sigma_option_->count() + sigmas_option_->count() > 0;
-  if (is_cloud() && threshold_option_->count() == 0 && !model) gate.fixed_m = cloud_threshold_m;
+  const bool given = sigma_option_->count() + sigmas_option_->count() + threshold_option_->count() > 0;
+  if (!given)
+    gate.fixed_m = std::clamp(threshold_noises * scale.noise_m, least_threshold_m, most_threshold_m);
   return gate;
 }
 
@@ -163,11 +162,17 @@ bool PlanesArguments::is_cloud() const {
   return (ending == ".pcd" || ending == ".ply") && !fs::is_directory(input, error);
 }
 
-PlaneMapOptions PlanesArguments::map_options(std::size_t points) const {
+PlaneMapOptions PlanesArguments::map_options() const {
   PlaneMapOptions options;
-  options.gate = gate();
-  if (is_cloud()) options.min_points = least_points(points);
+  options.gate = gate_;
   if (min_points_ > 0) options.min_points = min_points_;
+  return options;
+}
+
+PlaneMapOptions PlanesArguments::cloud_map_options(std::size_t points, const CloudScale& scale) const {
+  PlaneMapOptions options;
+  options.gate = gate_of_cloud(scale);
+  options.min_points = min_points_ > 0 ? min_points_ : least_points(points);
   return options;
 }
 
@@ -184,11 +189,12 @@ SequenceOptions PlanesArguments::sequence_options() const {
   return options;
 }
 
-std::string PlanesArguments::words(PlaneMethod method) const {
+std::string PlanesArguments::words(PlaneMethod method, const std::optional<CloudScale>& scale) const {
   std::string text = name_of(method) + ", ";
-  text += gate_.fixed_m > 0
-              ? "threshold " + io::to_text(gate_.fixed_m)
-              : "sigma " + io::to_text(gate_.inverse_sigma) + ", sigmas " + io::to_text(gate_.sigmas);
+  const PlaneGate gate = scale ? gate_of_cloud(*scale) : gate_;
+  text += gate.fixed_m > 0
+              ? "threshold " + io::to_text(gate.fixed_m)
+              : "sigma " + io::to_text(gate.inverse_sigma) + ", sigmas " + io::to_text(gate.sigmas);
   text += ", min-pixels " + io::to_text(min_pixels_) + ", max-planes " + io::to_text(max_planes_);
   text += ", min-points " + io::to_text(min_points_);
   if (const auto units = units_per_metre()) text += ", depth-scale " + io::to_text(*units);
@@ -210,6 +216,10 @@ Result<Done> PlanesArguments::check() const {
   }
   if (!folder && !trajectory.empty())
     return refusal(input, "--trajectory is for a folder of frames; leave it out");
+  for (const std::string& output : {xml, ply, ply_polygons, html, svg, leaves}) {
+    if (methods == Methods::both && output == "-")
+      return refusal(input, "--method both makes two of each output; give them a name in place of -");
+  }
   return Done{};
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "straightedge/host/cloud_scale.hpp"
 #include "straightedge/host/depth_sequence.hpp"
 #include "straightedge/host/plane_detector.hpp"
 #include "straightedge/host/plane_map_builder.hpp"
@@ -46,12 +47,14 @@ struct PlanesArguments {
   PlaneDetectorOptions detector_options(PlaneMethod method) const;
   std::uint32_t max_planes() const { return static_cast<std::uint32_t>(max_planes_); }
   /// For a cloud of so many points.
-  CloudOptions cloud_options(std::size_t points) const;
-  PlaneMapOptions map_options(std::size_t points = 0) const;
+  CloudOptions cloud_options(std::size_t points, const CloudScale& scale) const;
+  PlaneMapOptions map_options() const;
+  PlaneMapOptions cloud_map_options(std::size_t points, const CloudScale& scale) const;
   SequenceOptions sequence_options() const;
   std::optional<double> units_per_metre() const;
   /// The options of one method in words, seed and the input's name included, as files hold them.
-  std::string words(PlaneMethod method) const;
+  /// `scale`: of a cloud.
+  std::string words(PlaneMethod method, const std::optional<CloudScale>& scale) const;
   /// By its ending, .pcd or .ply.
   bool is_cloud() const;
   /// Without folders, and without a slash at the end.
@@ -65,8 +68,8 @@ struct PlanesArguments {
   void add_detection(CLI::App& command);
   void add_map(CLI::App& command);
 
-  /// In metres for clouds, unless the options say otherwise.
-  PlaneGate gate() const;
+  /// In metres by the cloud's noise, unless the options say otherwise.
+  PlaneGate gate_of_cloud(const CloudScale& scale) const;
 
   std::uint32_t least_points(std::size_t points) const;
 

@@ -52,7 +52,7 @@ Result<Done> search(const fs::path& file, std::size_t points, const Options& opt
 }
 
 Result<CloudPlanes> find_planes(const PlanesArguments& arguments, PlaneMethod method, const fs::path& file,
-                                const PointsView& points, std::uint32_t max_planes) {
+                                const PointsView& points, const CloudScale& scale, std::uint32_t max_planes) {
   CloudPlanes seen;
   if (points.count == 0) return seen;
   seen.labels.resize(points.count);
@@ -64,7 +64,7 @@ Result<CloudPlanes> find_planes(const PlanesArguments& arguments, PlaneMethod me
   const auto hough = [&](HoughPlanes& planes) {
     return planes.run(points, seen.labels, seen.planes, seen.found);
   };
-  CloudOptions options = arguments.cloud_options(points.count);
+  CloudOptions options = arguments.cloud_options(points.count, scale);
   options.ransac.max_planes = options.hough.max_planes = max_planes;
   seen.planes.resize(max_planes);
   const auto done = method == PlaneMethod::ransac
@@ -76,16 +76,16 @@ Result<CloudPlanes> find_planes(const PlanesArguments& arguments, PlaneMethod me
 }
 
 Result<MethodRun> run_method(const PlanesArguments& arguments, PlaneMethod method, const fs::path& file,
-                             const PointsView& points) {
-  MethodRun made{method, PlaneMapBuilder(arguments.map_options(points.count)), {}, {}};
+                             const PointsView& points, const CloudScale& scale) {
+  MethodRun made{method, PlaneMapBuilder(arguments.cloud_map_options(points.count, scale)), {}, {}};
   MethodFrame& frame = made.frames.emplace_back();
   auto before = Clock::now();
-  auto seen = find_planes(arguments, method, file, points, arguments.max_planes());
+  auto seen = find_planes(arguments, method, file, points, scale, arguments.max_planes());
   if (!seen) return seen.failure();
   frame.detection_ms = milliseconds_since(before);
   if (arguments.method_list().size() > 1) {
     before = Clock::now();
-    if (auto first = find_planes(arguments, method, file, points, 1); !first) return first.failure();
+    if (auto first = find_planes(arguments, method, file, points, scale, 1); !first) return first.failure();
     frame.first_ms = milliseconds_since(before);
   }
   if (points.count > 0) {
@@ -112,8 +112,12 @@ Result<PlanesRun> run_cloud(const PlanesArguments& arguments, const fs::path& fi
   frame.name = file.filename().string();
   frame.pose = Pose{};
   run.frames.push_back(frame);
+  const PointsView points = run.cloud->view();
+  const auto scale = points.count > 0 ? measure_cloud(points) : CloudScale{};
+  if (!scale) return in_file(file, scale.failure());
+  run.scale = *scale;
   for (const PlaneMethod method : arguments.method_list()) {
-    auto made = run_method(arguments, method, file, run.cloud->view());
+    auto made = run_method(arguments, method, file, points, *scale);
     if (!made) return made.failure();
     run.readings = made->frames.front().found.readings;
     run.methods.push_back(std::move(*made));

@@ -24,7 +24,7 @@ void describe(PlanesRun& run, const PlanesArguments& arguments) {
     meta.description = arguments.description;
     meta.created = created_time(arguments.created);
     meta.tool = version_text();
-    meta.options = arguments.words(method.method);
+    meta.options = arguments.words(method.method, run.scale);
   }
 }
 

@@ -65,7 +65,7 @@ Json json_of(const FoundPlane& plane, std::uint32_t id) {
           {"score", plane.score}};
 }
 
-Json json_of(const MethodRun& method, const PlanesRun& run, const PlanesArguments& arguments) {
+Json json_of(const MethodRun& method, const PlanesRun& run) {
   Json frames = Json::array();
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     const MethodFrame& frame = method.frames[i];
@@ -88,7 +88,7 @@ Json json_of(const MethodRun& method, const PlanesRun& run, const PlanesArgument
                       {"frames", plane.count.value_or(0)}});
   }
   return {{"method", name_of(method.method)},
-          {"options", arguments.words(method.method)},
+          {"options", method.reading.map.meta.options},
           {"labelled", labelled(method)},
           {"frames", std::move(frames)},
           {"map",
@@ -121,12 +121,13 @@ std::string json_of(const PlanesRun& run, const PlanesArguments& arguments) {
   for (const SkippedFrame& frame : run.skipped)
     skipped.push_back({{"name", frame.name}, {"reason", frame.reason}});
   Json methods = Json::array();
-  for (const MethodRun& method : run.methods) methods.push_back(json_of(method, run, arguments));
+  for (const MethodRun& method : run.methods) methods.push_back(json_of(method, run));
   Json numbers = {{"program", version_text()},       {"command", "planes"},
-                  {"input", arguments.input_name()}, {"width", run.size.width},
-                  {"height", run.size.height},       {"seed", arguments.common.seed},
-                  {"frames", run.frames.size()},     {"readings", run.readings},
-                  {"skipped", std::move(skipped)},   {"methods", std::move(methods)}};
+                  {"input", arguments.input_name()}, {"noise", run.scale ? Json(run.scale->noise_m) : Json()},
+                  {"width", run.size.width},         {"height", run.size.height},
+                  {"seed", arguments.common.seed},   {"frames", run.frames.size()},
+                  {"readings", run.readings},        {"skipped", std::move(skipped)},
+                  {"methods", std::move(methods)}};
   if (run.methods.size() > 1) numbers["comparison"] = json_of(compare_methods(run));
   return numbers.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

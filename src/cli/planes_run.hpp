@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ struct SkippedFrame {
 
 struct PlanesRun {
   std::shared_ptr<const Cloud> cloud;  ///< the input, if it is one; it then has one frame, without pixels
+  std::optional<CloudScale> scale;     ///< of the cloud
   DepthCamera camera;
   Size size;
   std::vector<SequenceFrame> frames;  ///< the good ones

@@ -37,7 +37,8 @@ TEST_CASE("maps that are wrong") {
   refused("no xml", "");
   refused(good().substr(0, good().size() / 2), "not well-formed");
   refused(replaced(good(), "version=\"1\" kind", "version=\"2\" kind"), "newer version");
-  refused(replaced(good(), "kind=\"lines\"", "kind=\"planes\""), "map of planes");
+  refused(replaced(good(), "kind=\"lines\"", "kind=\"rooms\""), "kind");
+  refused(replaced(good(), "kind=\"lines\"", "kind=\"planes\""), "");
   refused("<svg/>", "is not a straightedge-map");
   refused(replaced(good(), "rho=\"101.25\"", "rho=\"nan\""), "line 3");
   refused(replaced(good(), "<line id=\"5\"", "<line id=\"3\""), "another line has the same id");

@@ -71,8 +71,8 @@ TEST_CASE("names of outputs that cannot be meant") {
   refusal(lines({"-o", ""}), 2, "--output");
   refusal(lines({"-o", "-", "--csv", "-"}), 2, "--csv");
   refusal(lines({"-o", "-", "--json"}), 2, "standard output");
-  refusal(run_program({"show", room.at("m.xml"), "-o", room.at("m.html")}), 2, "m.html");
-  refusal(run_program({"show", room.at("m.xml"), "-o", room.at("m.ply")}), 2, "m.ply");
+  refusal(run_program({"show", room.at("m.xml"), "-o", room.at("m.pdf")}), 2, "m.pdf");
+  refusal(run_program({"show", room.at("m.xml"), "-o", room.at("m")}), 2, "must end in .svg");
   CHECK(names_in(room.folder) == std::vector<std::string>{"room.pgm"});
 }
 

@@ -40,7 +40,7 @@ void put(const std::filesystem::path& file, const std::string& text) {
 
 DepthCamera camera() {
   DepthCamera camera;
-  camera.pinhole = {130, 130, 79.5, 59.5};
+  camera.pinhole = {80, 80, 79.5, 59.5};
   camera.units_per_metre = 5000;
   camera.size = Size{160, 120};
   return camera;
@@ -65,7 +65,7 @@ Image<std::uint16_t> depth(const Pose& world_from_camera) {
 }
 
 std::string camera_json() {
-  return R"({"fx": 130, "fy": 130, "cx": 79.5, "cy": 59.5, "depth_scale": 5000, "width": 160, "height": 120})";
+  return R"({"fx": 80, "fy": 80, "cx": 79.5, "cy": 59.5, "depth_scale": 5000, "width": 160, "height": 120})";
 }
 
 std::string pose_line(int i, double shift_x) {
@@ -73,7 +73,7 @@ std::string pose_line(int i, double shift_x) {
   const double c = std::cos(i * yaw_step / 2), s = std::sin(i * yaw_step / 2);
   std::string line = io::to_text(i) + " " + io::to_text(shift_x) + " 0 " + io::to_text(height_m);
   for (const double q : {-0.5 * (c + s), 0.5 * (c - s), -0.5 * (c - s), 0.5 * (c + s)})
-    line += " " + io::to_text(q);
+    line.append(" ").append(io::to_text(q));
   return line + "\n";
 }
 

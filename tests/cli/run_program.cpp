@@ -46,9 +46,19 @@ Run run_program(const std::vector<std::string>& arguments, const RunSettings& se
   std::vector<char*> words;
   for (std::string& word : owned) words.push_back(word.data());
   words.push_back(nullptr);
+  // Until it is the program, the child has the handlers of this test, which would report a failure.
+  sigset_t interrupt, before;
+  sigemptyset(&interrupt);
+  sigaddset(&interrupt, SIGINT);
+  ::sigprocmask(SIG_BLOCK, &interrupt, &before);
   const pid_t child = ::fork();
+  if (child == 0) {
+    std::signal(SIGINT, SIG_DFL);
+    ::sigprocmask(SIG_SETMASK, &before, nullptr);
+    become_program(words, settings, out, err);
+  }
+  ::sigprocmask(SIG_SETMASK, &before, nullptr);
   REQUIRE(child >= 0);
-  if (child == 0) become_program(words, settings, out, err);
   if (settings.interrupt_after_ms > 0) {
     ::usleep(static_cast<useconds_t>(settings.interrupt_after_ms) * 1000);
     ::kill(child, SIGINT);
