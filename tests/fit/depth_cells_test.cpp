@@ -135,8 +135,8 @@ TEST_CASE("sum_up carries a change of the smallest cells to the larger ones") {
 TEST_CASE("squared residuals from a plane follow from the sums alone") {
   Pcg32 random(8);
   for (int trial = 0; trial < 200; ++trial) {
-    const InverseDepthPlane plane{support::uniform(random, -1e-3, 1e-3), support::uniform(random, -1e-3, 1e-3),
-                                  support::uniform(random, 0.2, 0.8)};
+    const InverseDepthPlane plane{support::uniform(random, -1e-3, 1e-3),
+                                  support::uniform(random, -1e-3, 1e-3), support::uniform(random, 0.2, 0.8)};
     InverseDepthMoments m;
     double sum = 0;
     for (int i = 0; i < 30; ++i) {

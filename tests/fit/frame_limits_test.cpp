@@ -24,16 +24,17 @@ DepthFrame filled(Size s, std::uint16_t value) {
 
 }  // namespace
 
-TEST_CASE("planes below min_pixels leave, larger ones stay as they are") {
+TEST_CASE("planes below min_pixels leave, those well above stay") {
   const Room room;
   const FoundFrame all = find(room.frame, room.truth);
   REQUIRE(all.planes.size() == 5);
   FramePlanesOptions options;
-  options.min_pixels = all.planes[3].inliers;
-  const FoundFrame four = find(room.frame, room.truth, options);
-  REQUIRE(four.planes.size() == 4);
-  check_counts(four, room.frame);
-  for (std::size_t k = 0; k < 4; ++k) CHECK(four.planes[k].inliers >= options.min_pixels);
+  options.min_pixels = all.planes[0].inliers / 2;  // whole cells count: those along its border do not
+  REQUIRE(all.planes[4].inliers < options.min_pixels);
+  const FoundFrame large = find(room.frame, room.truth, options);
+  CHECK(count_of(large.planes, all.planes[0].fit.plane) == 1);
+  for (const FoundPlane& plane : large.planes) CHECK(plane.inliers >= options.min_pixels);
+  check_counts(large, room.frame);
   options.min_pixels = all.planes[0].inliers + 500;
   const FoundFrame none = find(room.frame, room.truth, options);
   CHECK(none.status == Status::ok);
@@ -43,16 +44,16 @@ TEST_CASE("planes below min_pixels leave, larger ones stay as they are") {
 }
 
 TEST_CASE("min_pixels 0 is a thousandth of the picture, at least 64") {
-  // A board of some 110 pixels before a wall.
+  // A board of some 250 pixels before a wall.
   const Plane wall{{0, 0, 1}, 2.5}, board{{0, 0, 1}, 1.5};
   DepthScene scene(size);
   scene.draw_plane(1, wall);
-  scene.draw_part(2, board, [](const Vector3& p) { return std::fabs(p.x) < 0.06 && std::fabs(p.y) < 0.06; });
+  scene.draw_part(2, board, [](const Vector3& p) { return std::fabs(p.x) < 0.09 && std::fabs(p.y) < 0.09; });
   const DepthFrame frame = support::frame_of(scene, {}, 2);
   const auto proposed = seen_by(frame.camera, {wall, board});
   FramePlanesOptions options;
   CHECK(find(frame, proposed, options).planes.size() == 2);
-  options.min_pixels = 200;
+  options.min_pixels = 300;
   CHECK(find(frame, proposed, options).planes.size() == 1);
 }
 
@@ -66,7 +67,8 @@ TEST_CASE("max_planes bounds what the search may propose") {
     Image<std::uint16_t> labels(size);
     std::vector<FoundPlane> planes(9);
     PlanesFound found;
-    REQUIRE(finder.planes.run(room.frame.view(), as_search(fake), labels.view(), planes, found) == Status::ok);
+    REQUIRE(finder.planes.run(room.frame.view(), as_search(fake), labels.view(), planes, found) ==
+            Status::ok);
     CHECK(found.planes <= most);
     CHECK(found.planes >= 1);
     CHECK(fake.room + found.planes <= most + 1);  // of the last call: what the first has not filled
@@ -113,7 +115,8 @@ TEST_CASE("frames without a plane give an empty result") {
 }
 
 TEST_CASE("one value everywhere is a wall across the view") {
-  for (const std::uint16_t value : {std::uint16_t{1}, std::uint16_t{700}, std::uint16_t{2000}, std::uint16_t{65535}}) {
+  for (const std::uint16_t value :
+       {std::uint16_t{1}, std::uint16_t{700}, std::uint16_t{2000}, std::uint16_t{65535}}) {
     const DepthFrame frame = filled(size, value);
     const double z = value * 0.001;
     const FoundFrame result = find(frame, {{0, 0, 1 / z}});
@@ -139,6 +142,21 @@ TEST_CASE("a search may fill its span, round after round") {
     CHECK(result.calls == 8);
     check_counts(result, room.frame);
   }
+}
+
+TEST_CASE("a search that claims more planes than it has room for is not believed") {
+  const Room room;
+  const auto boast = [](void*, ImageView<const float>, ImageView<const std::uint16_t>, const PinholeCamera&,
+                        std::span<ProposedPlane> out) noexcept {
+    for (ProposedPlane& plane : out) plane = {};
+    return 0xFFFFFFFFU;
+  };
+  Finder finder(size, {});
+  Image<std::uint16_t> labels(size);
+  std::vector<FoundPlane> planes(8);
+  PlanesFound found;
+  CHECK(finder.planes.run(room.frame.view(), {nullptr, boast}, labels.view(), planes, found) == Status::ok);
+  CHECK(found.planes == 0);
 }
 
 TEST_CASE("frames of any size, down to one pixel") {

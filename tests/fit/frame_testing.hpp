@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <span>
 #include <vector>
 
 #include "straightedge/frame_planes.hpp"
 #include "support/catch.hpp"
 #include "support/depth_scene.hpp"
+#include "support/depth_score.hpp"
 
 namespace frame {
 
@@ -80,32 +81,11 @@ inline FoundFrame find(const DepthFrame& frame, const std::vector<InverseDepthPl
   return Finder(frame.raw.size(), options).run(frame.view(), proposed, room);
 }
 
-/// Share of the readings whose label stands for the truth: each label for the surface that most of its
-/// readings look at, each surface for one label.
-inline double agreement(const FoundFrame& result, const DepthFrame& frame, const Image<std::uint16_t>& truth) {
-  std::map<std::uint16_t, std::map<std::uint16_t, int>> of_label;
-  int readings = 0;
-  for (int y = 0; y < truth.height(); ++y) {
-    for (int x = 0; x < truth.width(); ++x) {
-      if (frame.raw.at(x, y) == 0) continue;
-      ++readings;
-      ++of_label[result.labels.at(x, y)][truth.at(x, y)];
-    }
-  }
-  std::map<std::uint16_t, int> right;
-  for (const auto& [label, surfaces] : of_label) {
-    std::uint16_t surface = 0;
-    int most = label == 0 ? of_label[0][0] : 0;
-    for (const auto& [id, count] : surfaces) {
-      if (label == 0 || id == 0 || count <= most) continue;
-      surface = id;
-      most = count;
-    }
-    right[surface] = std::max(right[surface], most);
-  }
-  int sum = 0;
-  for (const auto& [surface, count] : right) sum += count;
-  return readings > 0 ? static_cast<double>(sum) / readings : 1;
+using support::count_of;
+
+inline double agreement(const FoundFrame& result, const DepthFrame& frame,
+                        const Image<std::uint16_t>& truth) {
+  return support::agreement(result.labels, frame.raw, truth);
 }
 
 /// The numbers of a result are those of its own label image.
@@ -129,16 +109,6 @@ inline void check_counts(const FoundFrame& result, const DepthFrame& frame) {
     CHECK(result.planes[k].inliers == counts[k + 1]);
     if (k > 0) CHECK(result.planes[k].inliers <= result.planes[k - 1].inliers);
   }
-}
-
-/// How many of the planes found are this one.
-inline int count_of(const std::vector<FoundPlane>& planes, const Plane& truth, double angle_rad = 0.02,
-                    double distance_m = 0.02) {
-  return static_cast<int>(std::count_if(planes.begin(), planes.end(), [&](const FoundPlane& found) {
-    const Plane& p = found.fit.plane;
-    return dot(p.normal, truth.normal) > std::cos(angle_rad) &&
-           std::fabs(p.distance - truth.distance) < distance_m;
-  }));
 }
 
 }  // namespace frame

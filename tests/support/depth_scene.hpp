@@ -30,11 +30,12 @@ inline PinholeCamera kinect(Size size) {
 
 /// Structured light measures disparity: noise that neighbours share, and steps, both in 1/z.
 struct SensorNoise {
-  double sigma = 1.1e-3;       ///< 1/metre; with the steps 1.4e-3 in all
-  double step = 2.85e-3;       ///< 1/metre
-  int reach = 1;               ///< so many pixels to every side share their noise
-  double holes = 0;            ///< share of the picture without readings, in squares of 3x3 pixels
-  double sag = 0;              ///< added to 1/z in the middle of the left and right border, by square
+  double sigma = 1.1e-3;  ///< 1/metre; with the steps 1.4e-3 in all
+  double step = 2.85e-3;  ///< 1/metre
+  int reach = 1;          ///< so many pixels to every side share their noise
+  double holes = 0;       ///< share of the picture without readings
+  int hole_side = 3;      ///< in squares of so many pixels
+  double sag = 0;         ///< added to 1/z in the middle of the left and right border, by square
   double units_per_metre = 1000;
 };
 
@@ -86,11 +87,11 @@ class DepthScene {
   Image<std::uint16_t> picture(const SensorNoise& noise, std::uint64_t seed) const {
     Pcg32 random(seed);
     const Image<double> shared = shared_noise(noise.reach, random);
-    const Image<std::uint8_t> hole = holes(noise.holes, random);
+    const Image<std::uint8_t> hole = holes(noise.holes, noise.hole_side, random);
     Image<std::uint16_t> out(size());
     for (int y = 0; y < size().height; ++y) {
       for (int x = 0; x < size().width; ++x) {
-        if (!(inverse_.at(x, y) > 0) || hole.at(x / 3, y / 3) != 0) continue;
+        if (!(inverse_.at(x, y) > 0) || hole.at(x / noise.hole_side, y / noise.hole_side) != 0) continue;
         const double across = 2 * (x - camera_.cx) / size().width;
         double q = inverse_.at(x, y) + noise.sigma * shared.at(x, y) + noise.sag * across * across;
         if (noise.step > 0) q = std::floor(q / noise.step + 0.5) * noise.step;
@@ -117,8 +118,8 @@ class DepthScene {
     }
     return out;
   }
-  Image<std::uint8_t> holes(double share, Pcg32& random) const {
-    Image<std::uint8_t> out({size().width / 3 + 1, size().height / 3 + 1});
+  Image<std::uint8_t> holes(double share, int side, Pcg32& random) const {
+    Image<std::uint8_t> out({size().width / side + 1, size().height / side + 1});
     for (int y = 0; y < out.height(); ++y) {
       for (int x = 0; x < out.width(); ++x) out.at(x, y) = uniform(random, 0, 1) < share ? 1 : 0;
     }
@@ -144,18 +145,18 @@ inline DepthFrame frame_of(const DepthScene& scene, const SensorNoise& noise, st
 }
 
 /// Left, right, floor, ceiling and back wall, as the camera turned and nodding sees them.
-inline std::vector<Plane> box_planes(double turn_rad = 0.12, double nod_rad = 0.07) {
+inline std::vector<Plane> box_planes(double turn_rad = 0.06, double nod_rad = 0.03) {
   const double c = std::cos(turn_rad), s = std::sin(turn_rad);
   const double cn = std::cos(nod_rad), sn = std::sin(nod_rad);
   const auto seen = [&](const Vector3& n) {
     const Vector3 turned{c * n.x + s * n.z, n.y, -s * n.x + c * n.z};
     return Vector3{turned.x, cn * turned.y - sn * turned.z, sn * turned.y + cn * turned.z};
   };
-  return {{seen({-1, 0, 0}), 1.5},
-          {seen({1, 0, 0}), 1.5},
-          {seen({0, 1, 0}), 1.1},
-          {seen({0, -1, 0}), 1.2},
-          {seen({0, 0, 1}), 3.4}};
+  return {{seen({-1, 0, 0}), 1.2},
+          {seen({1, 0, 0}), 1.1},
+          {seen({0, 1, 0}), 0.9},
+          {seen({0, -1, 0}), 0.8},
+          {seen({0, 0, 1}), 3.2}};
 }
 
 /// The inside of the box: of each ray the first wall is the one with the largest 1/z. Label k is plane k − 1.
