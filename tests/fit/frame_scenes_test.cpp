@@ -100,6 +100,29 @@ TEST_CASE("a plane that cuts through walls gets no stripe there") {
   check_counts(result, frame);
 }
 
+TEST_CASE("a plane that leans a little against the wall gets no stripe where they cross") {
+  const Room room;
+  const Plane& back = room.planes[4];
+  for (const double lean_rad : {0.04, 0.08, 0.15}) {
+    const double c = std::cos(lean_rad), s = std::sin(lean_rad);
+    std::vector<Plane> leaning;
+    for (const double aside : {-0.3, 0.0, 0.3}) {
+      const Vector3 normal = normalized(c * back.normal + s * Vector3{1, 0.3, 0});
+      leaning.push_back({normal, dot(normal, Vector3{aside, 0, 0} + back.distance * back.normal)});
+    }
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      INFO("lean " << lean_rad << ", seed " << seed);
+      const DepthFrame frame = support::frame_of(room.scene, {}, seed);
+      std::vector<InverseDepthPlane> proposed = seen_by(frame.camera, leaning);
+      proposed.insert(proposed.end(), room.truth.begin(), room.truth.end());
+      proposed.back().c += 1e-3;
+      const FoundFrame result = find(frame, proposed);
+      check_walls(result, room.planes);
+      CHECK(agreement(result, frame, room.scene.truth()) > 0.97);
+    }
+  }
+}
+
 TEST_CASE("pieces of one plane on both sides of what stands before it are one") {
   const Plane wall{normalized({0.1, 0.05, 1}), 2.5}, board{normalized({-0.2, 0, 1}), 1.4};
   DepthScene scene(size);
@@ -176,4 +199,29 @@ TEST_CASE("the second round sees what the first left over") {
   CHECK(watch.free[0] == found.readings);
   for (std::size_t k = 1; k < 5; ++k) CHECK(watch.free[k] + 1000 < watch.free[k - 1]);
   CHECK(found.planes == 5);
+}
+
+TEST_CASE("the covariance says how far a plane lies from the truth") {
+  const Plane wall{normalized({0.3, -0.2, 1}), 2};
+  DepthScene scene(size);
+  scene.draw_plane(1, wall);
+  SensorNoise noise;
+  noise.sigma = 1.425e-3;
+  noise.step = 0;
+  noise.units_per_metre = 10000;
+  FramePlanesOptions options;
+  options.noise_pixels = 9;  // as many pixels share their noise in the scene
+  constexpr int trials = 40;
+  double mean = 0;
+  for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+    const DepthFrame frame = support::frame_of(scene, noise, seed);
+    const FoundFrame result = find(frame, seen_by(frame.camera, {wall}), options);
+    REQUIRE(result.planes.size() == 1);
+    PlaneFit truth = result.planes[0].fit;
+    truth.plane = wall;
+    truth.covariance = {};
+    mean += plane_chi_square(result.planes[0].fit, truth) / trials;
+  }
+  CHECK(mean > 1.8);  // 3 is expected, give or take 0.39
+  CHECK(mean < 4.2);
 }
