@@ -67,7 +67,7 @@ constexpr double squared_residuals(const InverseDepthMoments& m, const InverseDe
   const double square = p.a * (p.a * m.uu + 2 * (p.b * m.uv + p.c * m.u)) +
                         p.b * (p.b * m.vv + 2 * p.c * m.v) + p.c * p.c * m.n;
   const double sum = m.qq - 2 * mixed + square;
-  return sum > 0 ? sum : 0;
+  return sum < 0 ? 0 : sum;  // a plane whose residuals are no number fits nothing
 }
 
 }  // namespace straightedge

@@ -177,7 +177,8 @@ void FramePlanes::search_round(const DepthView& depth, const PlaneSearch& search
                                ImageView<std::uint16_t> labels, PlanesFound& found) noexcept {
   // Step 2.
   const std::span<ProposedPlane> room = candidates_.subspan(count_);
-  const std::uint32_t added = search.run(search.user, inverse_depth_, labels, depth.camera, room);
+  const std::uint32_t proposed = search.run(search.user, inverse_depth_, labels, depth.camera, room);
+  const auto added = std::min(proposed, static_cast<std::uint32_t>(room.size()));
   for (std::uint32_t k = 0; k < added; ++k) {
     found.iterations = std::max(found.iterations, room[k].iterations);
     surfaces_[count_ + k] = {.plane = room[k].fit.plane};

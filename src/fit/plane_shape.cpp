@@ -12,7 +12,7 @@ namespace {
 
 constexpr double cell_pixels = DepthCells::side * DepthCells::side;
 // A solid cell: half of its pixels have readings, and they lie on the plane.
-constexpr double least_readings = cell_pixels / 2;
+constexpr double least_readings = cell_pixels / 4;
 constexpr double on_plane = 2.5;
 constexpr double least_solid_share = 0.5;
 // Pieces with fewer pixels than this share of the least plane are chance: other planes may have them.

@@ -61,6 +61,9 @@ Result<PlaneDetector> PlaneDetector::create(Size size, const PlaneDetectorOption
   const std::size_t search_bytes = ransac ? RansacSearch::workspace_bytes(size, made.options_.ransac)
                                           : HoughPatchSearch::workspace_bytes(size, options.hough);
   if (search_bytes == 0) return refused(Status::invalid_option);
+  // Options that are out of range must not decide how much memory is taken.
+  const Status checked = made.frame_->prepare(size, options.frame, {});
+  if (checked != Status::workspace_too_small) return refused(checked);
   made.memory_.resize(frame_bytes + search_bytes);
   const std::span<std::byte> bytes = made.memory_;
   const Status frame = made.frame_->prepare(size, options.frame, bytes.first(frame_bytes));
@@ -73,6 +76,7 @@ Result<PlaneDetector> PlaneDetector::create(Size size, const PlaneDetectorOption
 }
 
 Result<DetectedPlanes> PlaneDetector::detect(const DepthView& depth) {
+  if (!depth.valid()) return refused(Status::invalid_image);
   DetectedPlanes result;
   result.labels = Image<std::uint16_t>(depth.raw.size());
   result.planes.resize(options_.frame.max_planes);
