@@ -19,7 +19,7 @@ small() {
     -define png:compression-level=9 "PNG8:$to/$2"
 }
 
-# look METHOD FRAME NAME: labels and cells of one frame.
+# look METHOD FRAME NAME CAMERA: labels and cells of one frame.
 look() {
   "$example" "$1" "$2" "$(dirname "$2")/$4" "$work/$3-labels.png" "$work/$3-cells.png" >"$work/$3.txt"
 }
@@ -39,7 +39,7 @@ for picture in office-labels office-cells room-labels room-cells; do
   small "$work/$picture.png" "$picture.png"
 done
 for method in ransac hough; do
-  for frame in 09 10; do
+  for frame in 00 11; do
     look "$method" "fixtures/depth/room/depth/$frame.png" "corner-$frame-$method" ../camera.json
     small "$work/corner-$frame-$method-labels.png" "corner-$frame-$method.png"
   done
