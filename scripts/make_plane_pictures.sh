@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 straightedge=${1:-build/program/bin/straightedge}
-example=${2:-build/release/bin/03_planes}
+example=${2:-build/release/examples/03_planes}
 to=docs/pictures/planes
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -26,9 +26,8 @@ look() {
 
 rm -rf "$to"
 mkdir -p "$to"
-"$straightedge" planes fixtures/depth/room --method both -o "$work/map.xml" --quiet
+"$straightedge" planes fixtures/depth/room --method both --svg "$work/map.svg" --quiet
 for method in ransac hough; do
-  "$straightedge" show "$work/map-$method.xml" -o "$work/map-$method.svg"
   rsvg-convert --width 1000 "$work/map-$method.svg" -o "$work/map-$method.png"
   small "$work/map-$method.png" "map-$method.png"
 done
