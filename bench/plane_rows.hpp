@@ -28,5 +28,6 @@ void add_plane_row(const std::string& stage, straightedge::Size size, Prepare pr
 }
 
 void add_ransac_rows(straightedge::Size size);
+void add_plane_map_rows(straightedge::Size size);
 
 }  // namespace bench

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 Straightedge contributors
 # SPDX-License-Identifier: MIT
 #
-# Sets up a fresh Debian 12 or Ubuntu 24.04 machine, builds the program and makes line maps of the
-# shipped pictures: scripts/demo.sh [OUTPUT FOLDER, default out/demo]
+# Sets up a fresh Debian 12 or Ubuntu 24.04 machine, builds the program and makes maps of the
+# shipped pictures and depth frames: scripts/demo.sh [OUTPUT FOLDER, default out/demo]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 out=${1:-out/demo}
@@ -37,11 +37,18 @@ run "A corridor as a robot's laser mapped it; rays and unknown space are no wall
   --svg "$out/corridor.svg" --png "$out/corridor.png"
 run "Every stage of the way, as pictures with a page that explains them:" \
   explain fixtures/maps/mrpt/basic_map.png -o "$out/explain"
-run "The map file keeps every rule of its format:" \
+run "Twelve depth frames of a room become a map of its planes:" \
+  planes fixtures/depth/room -o "$out/room.xml" --html "$out/room.html" --ply "$out/room.ply" \
+  --svg "$out/room.svg" --labels "$out/room-labels"
+run "The map file of the office keeps every rule of its format:" \
   validate "$out/office.xml"
+run "And so does that of the room:" \
+  validate "$out/room.xml"
 
 echo
 echo "Made in $out:"
 (cd "$out" && find . -type f -printf '  %-32P %9s bytes\n' | sort)
 echo
 echo "Look at $out/office.png, $out/corridor.png and $out/explain/index.html."
+echo "Open $out/room.html in a browser and turn the room; room.ply holds its readings, coloured by plane,"
+echo "for MeshLab or CloudCompare; room-labels/ has the plane of every pixel as a number in a 16-bit PNG."

@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 Straightedge contributors
 # SPDX-License-Identifier: MIT
 #
-# Makes the pictures of docs/ anew: scripts/make_docs_pictures.sh [PROGRAM]
+# Makes the pictures of docs/ anew: scripts/make_docs_pictures.sh [PROGRAM [EXAMPLE]], EXAMPLE being
+# examples/03_planes as built.
 # The same program gives the same bytes, so a change in git is a change of what the program does.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -30,4 +31,5 @@ for method in progressive randomized; do
   done
 done
 bash scripts/make_line_map_pictures.sh "$straightedge"
+bash scripts/make_plane_pictures.sh "$straightedge" "${2:-build/release/examples/03_planes}"
 du -ch "$to"/*.png | tail -n 1
