@@ -4,6 +4,7 @@
 # What `explain` does, as a library: the program and the tests link it.
 add_library(straightedge_explain STATIC
   ${CMAKE_CURRENT_LIST_DIR}/explain_accumulator.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/explain_chart.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_edge_sections.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_geometry.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_image.cpp
