@@ -11,6 +11,7 @@
 #include "straightedge/depth_cells.hpp"
 #include "straightedge/host/plane_detector.hpp"
 #include "straightedge/host/plane_map_builder.hpp"
+#include "straightedge/ransac_planes.hpp"
 
 namespace straightedge::cli {
 
