@@ -23,7 +23,7 @@ Size svg_size(const std::string& svg) {
 NamedFile draw_map(const ExplainDepthRun& run, const ExplainDepthOptions& options, io::HtmlPage& page) {
   const Pose camera[] = {Pose{}};
   NamedFile file{"map.svg",
-                 plane_map_svg(run.map.map, {.title = "Planes of " + options.input, .camera_path = camera})};
+                 plane_map_svg(run.map, {.title = "Planes of " + options.input, .camera_path = camera})};
   for (io::HtmlSection& section : page.sections) {
     for (io::HtmlFigure& figure : section.figures) {
       if (figure.file == file.name) figure.size = svg_size(file.bytes);

@@ -116,7 +116,7 @@ Image<Rgb> show_candidates(const ExplainDepthRun& run) {
     if (candidate != 0) return plane_colour(candidate);
     return run.inverse_depth.at(x, y) > 0 ? free_colour_of_readings : hole_colour;
   });
-  draw_numbers(picture, run.nearest, zoom_of(size));
+  draw_numbers(picture, run.nearest, zoom_of(size), numbered_candidates);
   return picture;
 }
 
@@ -124,7 +124,7 @@ Image<Rgb> show_labels(const ExplainDepthRun& run) {
   const Image<Rgb> plain = label_picture(run.found.labels, run.depth.raw);
   const int zoom = zoom_of(plain.size());
   auto picture = paint(plain.size(), zoom, [&](std::int32_t x, std::int32_t y) { return plain.at(x, y); });
-  draw_numbers(picture, run.found.labels, zoom);
+  draw_numbers(picture, run.found.labels, zoom, run.found.planes.size());
   return picture;
 }
 
@@ -154,10 +154,10 @@ Residuals show_residuals(const ExplainDepthRun& run) {
   return out;
 }
 
-void draw_numbers(Image<Rgb>& picture, ImageView<const std::uint16_t> labels, int zoom) {
+void draw_numbers(Image<Rgb>& picture, ImageView<const std::uint16_t> labels, int zoom, std::size_t most) {
   const std::vector<Middle> middles = middles_of(labels);
   const std::vector<Point2> places = own_pixels(labels, middles);
-  for (std::size_t k = 0; k < places.size(); ++k) {
+  for (std::size_t k = 0; k < places.size() && k < most; ++k) {
     if (middles[k].count == 0) continue;
     draw_tag(picture, std::to_string(k + 1), {(places[k].x + 0.5) * zoom, (places[k].y + 0.5) * zoom},
              {.scale = 2, .colour = ink});

@@ -38,7 +38,8 @@ struct FlatCells {
 };
 FlatCells show_flat_cells(const ExplainDepthRun& run, int level);
 
-/// The nearest candidate of each pixel, in colours of the candidates' numbers.
+/// The nearest candidate of each pixel, in colours of the candidates' numbers; the strongest are numbered.
+inline constexpr std::size_t numbered_candidates = 12;
 Image<Rgb> show_candidates(const ExplainDepthRun& run);
 
 struct LabelledCells {
@@ -59,7 +60,7 @@ struct Residuals {
 /// Inverse depth minus that of the reading's plane over the noise: red is nearer than the plane.
 Residuals show_residuals(const ExplainDepthRun& run);
 
-/// Draws the number of each label where its pixels are.
-void draw_numbers(Image<Rgb>& picture, ImageView<const std::uint16_t> labels, int zoom);
+/// Draws the numbers of the first labels, at most so many, where their pixels are.
+void draw_numbers(Image<Rgb>& picture, ImageView<const std::uint16_t> labels, int zoom, std::size_t most);
 
 }  // namespace straightedge::cli

@@ -33,7 +33,7 @@ HtmlSection candidate_section(DepthStory& story) {
       .figures = {add_figure(
           story, "candidates.png", show_candidates(story.run),
           "Pixels in the colours of their nearest candidates",
-          "The nearest candidate of each pixel, numbered from the strongest. Gray: near to none. "
+          "The nearest candidate of each pixel; the strongest have numbers. Gray: near to none. "
           "Black: no reading.")},
       .facts = {{"candidates-count", "Candidates",
                  in_words(static_cast<std::int64_t>(story.run.candidates.size()))},
@@ -130,8 +130,7 @@ double angle_error(const PlaneFit& fit) {
 io::HtmlTable plane_table(const ExplainDepthRun& run) {
   io::HtmlTable table{
       "Planes in the camera's frame: x right, y down, z forward; normals point away from the camera.",
-      {"No.", "Lies", "Pixels", "Normal", "Distance (m)", "rms (mm)", "Angle (\u00b0)", "Offset (mm)",
-       "In the map"},
+      {"No.", "Lies", "Pixels", "Normal", "Distance (m)", "rms (mm)", "Angle (\u00b0)", "Offset (mm)"},
       {}};
   for (std::size_t k = 0; k < run.found.planes.size(); ++k) {
     const FoundPlane& plane = run.found.planes[k];
@@ -139,8 +138,7 @@ io::HtmlTable plane_table(const ExplainDepthRun& run) {
     table.rows.push_back({std::to_string(k + 1), side_of(n), in_words(std::int64_t{plane.inliers}),
                           in_words(n), in_words(plane.fit.plane.distance, 3),
                           in_words(1000 * plane.fit.rms, 1), "\u00b1 " + in_words(angle_error(plane.fit), 2),
-                          "\u00b1 " + in_words(1000 * std::sqrt(plane.fit.covariance[5]), 1),
-                          run.ids[k] == 0 ? "no" : "as " + std::to_string(run.ids[k])});
+                          "\u00b1 " + in_words(1000 * std::sqrt(plane.fit.covariance[5]), 1)});
   }
   return table;
 }
@@ -166,26 +164,24 @@ HtmlSection table_section(DepthStory& story) {
 }
 
 HtmlSection map_section(DepthStory& story) {
-  const PlaneMapReport& report = story.run.map.report;
+  const auto planes = static_cast<std::int64_t>(story.run.map.planes.size());
   return {.id = "map",
           .title = "The planes in space",
-          .paragraphs =
-              {"Back from the picture into the room: each plane with its extent, as a plan from above and as "
-               "a view from "
-               "a corner, in the colours of the labels. This is the map of this single frame; planes that it "
-               "drops would need more frames to be sure of."},
-          .figures =
-              {{.file = "map.svg",
-                .alt = "Plan and oblique view of the planes",
-                .caption =
-                    "Left: from above, walls as thick lines. Right: obliquely from above. The camera stands "
-                    "at the origin.",
-                .size = {}}},
-          .facts = {{"map-planes", "Planes in the map", in_words(std::int64_t{report.planes})},
-                    {"too-few", "Dropped: few readings", in_words(std::int64_t{report.too_few})},
-                    {"too-vague", "Dropped: vague tilt", in_words(std::int64_t{report.too_vague})},
-                    {"too-rough", "Dropped: wide scatter", in_words(std::int64_t{report.too_rough})},
-                    {"too-small", "Dropped: small extent", in_words(std::int64_t{report.too_small})}},
+          .paragraphs = {"Back from the picture into the room: each plane with its extent, as a plan from "
+                         "above and as a view "
+                         "from a corner, in the colours and with the numbers of the labels. Planes that are "
+                         "one within their "
+                         "uncertainty are joined, and have the lowest of their numbers.",
+                         "A map of many frames is made the same way, by the command planes. It drops planes "
+                         "of which it is not "
+                         "sure; here all are shown."},
+          .figures = {{.file = "map.svg",
+                       .alt = "Plan and oblique view of the planes",
+                       .caption =
+                           "Left: from above, walls as thick lines. Right: obliquely from above. The camera "
+                           "stands at the small mark.",
+                       .size = {}}},
+          .facts = {{"map-planes", "Planes drawn", in_words(planes)}},
           .sources = {"include/straightedge/host/plane_map_builder.hpp"}};
 }
 

@@ -40,31 +40,37 @@ Image<std::uint16_t> nearest_candidates(const ExplainDepthRun& run) {
 }
 
 /// The map's planes get the ids of the frame's, so that colours and numbers are the same in all pictures.
-void rename_planes(ExplainDepthRun& run, const RegisteredFrame& registered) {
-  std::vector<std::uint32_t> names(run.map.map.planes.size());
-  run.ids.assign(run.found.planes.size(), 0);
-  auto next = static_cast<std::uint32_t>(run.found.planes.size());
-  for (std::size_t k = 0; k < registered.planes.size(); ++k) {
-    const std::uint32_t id = run.map.plane_id(registered.planes[k]);
-    for (std::size_t m = 0; m < names.size() && id != 0; ++m) {
-      if (run.map.map.planes[m].id != id) continue;
-      if (names[m] == 0) names[m] = static_cast<std::uint32_t>(k + 1);
-      run.ids[k] = names[m];
-    }
+void rename_planes(const PlaneMapReading& reading, const RegisteredFrame& registered, PlaneMap& map) {
+  auto unnamed = static_cast<std::uint32_t>(registered.planes.size());
+  for (MapPlane& plane : map.planes) {
+    const auto known =
+        std::find_if(registered.planes.begin(), registered.planes.end(),
+                     [&](const PlaneAnchors& anchors) { return reading.plane_id(anchors) == plane.id; });
+    plane.id = known == registered.planes.end()
+                   ? ++unnamed
+                   : static_cast<std::uint32_t>(known - registered.planes.begin()) + 1;
   }
-  for (std::size_t m = 0; m < names.size(); ++m) run.map.map.planes[m].id = names[m] != 0 ? names[m] : ++next;
+}
+
+/// All planes are to be seen, also those that a map would rather have from more frames.
+PlaneMapOptions lenient_options(const PlaneGate& gate) {
+  PlaneMapOptions options;
+  options.gate = gate;
+  options.min_points = 1;
+  options.max_tilt = 2;
+  options.max_residual = 1e6;
+  options.min_area = 0;
+  return options;
 }
 
 Result<Done> make_map(ExplainDepthRun& run) {
-  PlaneMapOptions options;
-  options.gate = run.options.frame.gate;
-  PlaneMapBuilder builder(options);
+  PlaneMapBuilder builder(lenient_options(run.options.frame.gate));
   const auto registered = builder.add(run.depth, run.found.labels, run.found.planes, Pose{});
   if (!registered) return registered.failure();
   auto reading = builder.build();
   if (!reading) return reading.failure();
-  run.map = std::move(*reading);
-  rename_planes(run, *registered);
+  run.map = reading->map;
+  rename_planes(*reading, *registered, run.map);
   return Done{};
 }
 

@@ -20,7 +20,8 @@ struct WatchedWindow {
   std::int32_t x = 0, y = 0, side_u = 0, side_v = 0;  ///< pixels of the frame
   std::vector<RansacEvent> events;                    ///< every hypothesis; triples are pixels of the window
   std::uint32_t subset = 0;                           ///< readings on which they are scored
-  double share = 0;                                   ///< of the window's readings on its strongest candidate
+  double share = 0;                                   ///< of the window's readings on its largest plane
+  InverseDepthPlane refitted;                         ///< what became of the best; frame's pixels
 };
 
 /// What the search by RANSAC left behind.
@@ -64,8 +65,9 @@ struct ExplainDepthRun {
   std::optional<PlaneDetector> detector;
   DetectedPlanes found;
 
-  PlaneMapReading map;             ///< of this frame alone; planes have the ids of the frame's
-  std::vector<std::uint32_t> ids;  ///< of each of the frame's planes in it; 0: dropped
+  /// Of this frame alone; nothing is dropped for being uncertain. Planes have the ids of the frame's, the
+  /// lowest where several are one.
+  PlaneMap map;
 };
 
 /// Runs all stages. Fails as PlaneDetector and PlaneMapBuilder do.
@@ -74,7 +76,7 @@ Result<ExplainDepthRun> run_depth_stages(const DepthView& depth, const PlaneDete
 // Steps of it.
 void search_by_ransac(ExplainDepthRun& run);
 void search_by_hough(ExplainDepthRun& run);
-/// Needs `nearest`.
+/// Needs `found`.
 void watch_window(ExplainDepthRun& run);
 
 }  // namespace straightedge::cli

@@ -11,6 +11,7 @@ namespace {
 constexpr std::int32_t window_side = 196;  // pixels: the search's largest windows have 49 cells of 4
 constexpr std::int32_t window_step = 98;
 constexpr std::uint32_t window_subset = 256;
+constexpr double wanted_share = 0.4;
 
 struct PeakWatcher {
   HoughStage& stage;
@@ -37,23 +38,23 @@ bool note_hypothesis(void* user, const RansacEvent& event) {
   return true;
 }
 
-/// Share of the window's readings that the candidate with most of them has; 0 for too few readings.
-double strongest_share(const ExplainDepthRun& run, const WatchedWindow& window) {
-  std::vector<std::uint32_t> counts(run.candidates.size() + 1);
+/// Share of the window's readings that the plane with most of them has; 0 for too few readings.
+double largest_share(const ExplainDepthRun& run, const WatchedWindow& window) {
+  std::vector<std::uint32_t> counts(run.found.planes.size() + 1);
   std::uint32_t readings = 0;
   for (std::int32_t y = window.y; y < window.y + window.side_v; ++y) {
     for (std::int32_t x = window.x; x < window.x + window.side_u; ++x) {
       if (run.inverse_depth.at(x, y) <= 0) continue;
       ++readings;
-      ++counts[run.nearest.at(x, y)];
+      ++counts[run.found.labels.at(x, y)];
     }
   }
   const auto pixels = static_cast<std::uint32_t>(window.side_u * window.side_v);
-  if (readings < window_subset || readings < pixels / 2) return 0;
+  if (run.found.planes.empty() || readings < window_subset || readings < pixels / 2) return 0;
   return static_cast<double>(*std::max_element(counts.begin() + 1, counts.end())) / readings;
 }
 
-/// Where it is neither trivial nor hopeless: half of the readings lie on one plane.
+/// Where it is neither trivial nor hopeless: not quite half of the readings lie on one plane.
 std::optional<WatchedWindow> window_to_watch(const ExplainDepthRun& run) {
   const Size size = run.depth.raw.size();
   std::optional<WatchedWindow> best;
@@ -64,9 +65,10 @@ std::optional<WatchedWindow> window_to_watch(const ExplainDepthRun& run) {
       window.side_v = std::min(window_side, size.height);
       window.x = std::min(x, size.width - window.side_u);
       window.y = std::min(y, size.height - window.side_v);
-      window.share = strongest_share(run, window);
+      window.share = largest_share(run, window);
       if (window.share == 0) continue;
-      if (!best || std::abs(window.share - 0.5) < std::abs(best->share - 0.5)) best = window;
+      if (!best || std::abs(window.share - wanted_share) < std::abs(best->share - wanted_share))
+        best = window;
     }
   }
   return best;
@@ -131,9 +133,15 @@ void watch_window(ExplainDepthRun& run) {
   const ImageView<const float> part{
       whole.row(window->y) + window->x, {window->side_u, window->side_v}, whole.stride};
   FoundPlane found;
-  (void)planes.run(part, run.depth.camera, {&found, 1}, {});
+  // Pixels of the window count from its corner.
+  const PinholeCamera& whole_camera = run.depth.camera;
+  const PinholeCamera camera{whole_camera.fx, whole_camera.fy, whole_camera.cx - window->x,
+                             whole_camera.cy - window->y};
+  const RansacPlanesResult result = planes.run(part, camera, {&found, 1}, {});
   window->subset = window_subset;
-  if (!window->events.empty()) run.ransac.window = std::move(window);
+  if (result.found.planes == 0 || window->events.empty()) return;
+  window->refitted = to_inverse_depth(found.fit.plane, whole_camera);
+  run.ransac.window = std::move(window);
 }
 
 }  // namespace straightedge::cli

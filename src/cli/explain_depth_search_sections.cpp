@@ -29,6 +29,14 @@ void add_triple(DepthStory& story, const RansacEvent& event, const std::string& 
                      in_words(static_cast<double>(event.cost), 1) + "."));
 }
 
+void add_refitted(DepthStory& story, HtmlSection& section) {
+  const TriplePicture shown = show_refitted(story.run);
+  section.figures.push_back(add_figure(
+      story, "refitted.png", shown.picture, "The window's readings near the refitted plane",
+      "The plane in the end, refitted to all readings near it, has " + in_words(std::int64_t{shown.inliers}) +
+          " of " + in_words(std::int64_t{shown.readings}) + "."));
+}
+
 HtmlSection hypotheses_section(DepthStory& story) {
   HtmlSection section{
       .id = "hypotheses",
@@ -46,21 +54,25 @@ HtmlSection hypotheses_section(DepthStory& story) {
   }
   const WatchedWindow& window = *story.run.ransac.window;
   const double w = window.share;
-  section.paragraphs.push_back("Watched here is a window in which about half of the readings, " + percent(w) +
-                               ", lie on one plane: a draw is good with a chance of " + percent(w * w * w) +
-                               ". The cost of a guess is small when many readings lie near its plane: each "
-                               "adds between 0 (on the plane) and 1 (outside of the gate).");
+  section.paragraphs.push_back(
+      "Watched here is a window in which " + percent(w) +
+      " of the readings lie on its largest plane: a draw is good with a chance of " + percent(w * w * w) +
+      ". The cost of a guess is small when many readings lie near its plane: each adds between 0 (on the "
+      "plane) and 1 (outside of the gate). A guess that beats all before is at once refitted to the readings "
+      "near it, and later ones must beat the refitted plane.");
   section.figures.push_back(add_figure(story, "window.png", show_window(story.run), "The window in the frame",
                                        "The window: " + area_of(window) + "."));
   const auto best = best_events(window);
-  if (!best.empty()) add_triple(story, best.front(), "first-triple.png", "The first guess", section);
-  if (!best.empty()) add_triple(story, best.back(), "best-triple.png", "The best guess", section);
-  section.figures.push_back(add_figure(
-      story, "hypotheses.png", show_hypotheses(window), "Cost of each hypothesis, and of the best so far",
-      "Each dot is a guess: the lower the better, at most " + std::to_string(window.subset) +
-          ", the number of readings that are asked. Red: better than all before. The line ends where a "
-          "better "
-          "guess has become unlikely."));
+  if (best.size() > 1) add_triple(story, best.front(), "first-triple.png", "The first guess", section);
+  add_triple(story, best.back(), "best-triple.png", "The best guess", section);
+  add_refitted(story, section);
+  section.figures.push_back(
+      add_figure(story, "hypotheses.png", show_hypotheses(story.run),
+                 "Cost of each hypothesis, and of the plane in the end",
+                 "Each dot is a guess: the lower the better, at most " + std::to_string(window.subset) +
+                     ", the number of readings that are asked. Red: better than all before, refitted ones "
+                     "included. Green "
+                     "line: the plane in the end. The dots end where a better guess has become unlikely."));
   section.facts = {{"window-draws", "Guesses", in_words(static_cast<std::int64_t>(window.events.size()))},
                    {"window-best", "Times that a guess was the best so far",
                     in_words(static_cast<std::int64_t>(best.size()))},
@@ -96,9 +108,10 @@ HtmlSection windows_section(DepthStory& story) {
            "First only smooth planes count, whose readings stay well within the gate; what is left may "
            "then give rough ones. At the end each reading goes to the candidate that fits it and its "
            "neighbours best."},
-      .figures = {add_figure(story, "boxes.png", show_boxes(story.run), "Numbered boxes over the frame",
-                             "The box around the readings of each candidate, over the pixels that "
-                             "are nearest to it. Thin boxes: rough planes.")},
+      .figures = {add_figure(
+          story, "boxes.png", show_boxes(story.run), "Numbered boxes over the frame",
+          "The boxes around the readings of the " + std::to_string(shown_boxes) +
+              " strongest candidates, over the pixels that are nearest to them. Thin boxes: rough planes.")},
       .facts = {{"searched", "Windows searched", in_words(std::int64_t{stage.result.windows})},
                 {"draws", "Triples drawn", in_words(std::int64_t{stage.result.draws})},
                 {"noise", "Gate widened for this frame's noise by", in_words(stage.result.noise, 2)},
@@ -113,9 +126,9 @@ HtmlSection windows_section(DepthStory& story) {
 
 HtmlSection patch_section(DepthStory& story) {
   const HoughStage& stage = story.run.hough;
-  std::int64_t voters = 0, taken = 0;
+  std::int64_t unsure = 0, taken = 0;
   for (const HoughPatch& patch : stage.search.patches()) {
-    voters += patch.votes ? 1 : 0;
+    unsure += patch.votes ? 0 : 1;
     taken += patch.candidate != 0 ? 1 : 0;
   }
   return {
@@ -131,9 +144,9 @@ HtmlSection patch_section(DepthStory& story) {
       .figures = {add_figure(
           story, "patches.png", show_patches(story.run), "Squares in colours of planes",
           "Patches, in the colour of the candidate that took them in the end. Pale: taken by "
-          "none. White: by a plane that others explain as well. Crossed out: does not vote.")},
+          "none. White: by a plane that others explain as well. Crossed out: too unsure to vote.")},
       .facts = {{"patches-count", "Patches", in_words(std::int64_t{stage.result.patches})},
-                {"voters", "That vote at last", in_words(voters)},
+                {"unsure", "Too unsure to vote", in_words(unsure)},
                 {"votes", "That voted", in_words(std::int64_t{stage.result.votes})},
                 {"taken", "Taken by a plane", in_words(taken)}},
       .sources = {"include/straightedge/hough_plane_patches.hpp", "src/hough/planes/patch_tree.cpp"}};

@@ -63,8 +63,8 @@ HtmlSection inverse_section(DepthStory& story) {
                millimetres(2) + ", " + millimetres(4) + "."},
       .figures = {add_figure(story, "inverse-depth.png", show_inverse_depth(story.run, story.range),
                              "Inverse depth in colours, with a scale",
-                             "1/z. Over a flat wall or floor the colours change in even steps; compare the "
-                             "floor or a slanting wall with the picture above.")},
+                             "1/z. Over a flat wall or floor the colours change in even steps; compare a "
+                             "slanting one with the picture above.")},
       .sources = {"include/straightedge/inverse_depth.hpp", "include/straightedge/plane_gate.hpp"}};
 }
 
@@ -78,7 +78,7 @@ HtmlSection cell_section(DepthStory& story) {
            "best plane and the error of any plane, without another look at the pixels; and four small cells "
            "just add up to a large one.",
            "Here each cell is compared with its own best plane. Green cells are flat: their readings stray "
-           "from it by less than the square root of two sigmas. Yellow and red cells hold an edge, a "
+           "from it by less than 1.4 sigma. Yellow and red cells hold an edge, a "
            "corner, or something round. Large cells average much noise away but find fewer flat places; "
            "so the large ones have the first word later, and small ones settle the borders."},
       .sources = {"include/straightedge/depth_cells.hpp", "src/fit/depth_cells.cpp"}};

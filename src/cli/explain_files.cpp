@@ -25,9 +25,9 @@ constexpr const char* all_names[] = {
     "segments.png", "progress-1.png", "progress-2.png", "progress-3.png", "progress-4.png", "lines.png",
     // Of depth frames.
     "depth.png", "inverse-depth.png", "cells-32.png", "cells-16.png", "cells-8.png", "cells-4.png",
-    "window.png", "hypotheses.png", "first-triple.png", "best-triple.png", "boxes.png", "patches.png",
-    "distances.png", "candidates.png", "cell-labels-32.png", "cell-labels-16.png", "cell-labels-8.png",
-    "cell-labels-4.png", "labels.png", "residuals.png", "map.svg"};
+    "window.png", "hypotheses.png", "first-triple.png", "best-triple.png", "refitted.png", "boxes.png",
+    "patches.png", "distances.png", "candidates.png", "cell-labels-32.png", "cell-labels-16.png",
+    "cell-labels-8.png", "cell-labels-4.png", "labels.png", "residuals.png", "map.svg"};
 
 /// Half of the pictures have no colour, and one channel is encoded three times as fast.
 Result<std::string> encode(const Image<Rgb>& picture) {

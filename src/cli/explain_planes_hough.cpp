@@ -18,7 +18,7 @@
 namespace straightedge::cli {
 namespace {
 
-constexpr std::int32_t disc = 640, border = 40;  // pixels
+constexpr std::int32_t disc = 640, border = 80;  // pixels
 constexpr double edge_degrees = 125;
 constexpr double ring_radius = 9;
 constexpr Rgb bare_colour{0xE6, 0xE8, 0xEB};
@@ -85,10 +85,10 @@ void draw_rings(Image<Rgb>& picture) {
                .scale = 2,
                .colour = ink});
   };
-  write("ceiling", middle.x, border / 2.0);
-  write("floor", middle.x, disc + 1.5 * border);
-  write("left", 36, border + 12);
-  write("right", disc + 2 * border - 40, border + 12);
+  write("ceiling", middle.x, border - 20.0);
+  write("floor", middle.x, disc + border + 20.0);
+  write("left", border / 2.0, middle.y);
+  write("right", disc + 1.5 * border, middle.y);
 }
 
 void draw_peaks(const HoughStage& stage, Image<Rgb>& picture) {

@@ -66,6 +66,44 @@ Rgb pale_depth(const ExplainDepthRun& run, const DepthRange& range, std::int32_t
   return mix(depth_colour(share), paper, 0.55);
 }
 
+/// How far the reading is from the plane, in gates; negative without a reading. Pixels of the frame.
+double distance_in_gates(const ExplainDepthRun& run, const InverseDepthPlane& plane, std::int32_t x,
+                         std::int32_t y) {
+  const PlaneGate gate = widened(run.options.frame);
+  const auto q = static_cast<double>(run.inverse_depth.at(x, y));
+  return q > 0 ? std::abs(plane.at(x, y) - q) / (gate.sigmas * gate.inverse_noise(q)) : -1;
+}
+
+/// MSAC's cost of the refitted plane for a reading of the window.
+double mean_cost(const ExplainDepthRun& run, const WatchedWindow& w) {
+  double sum = 0, readings = 0;
+  for (std::int32_t y = w.y; y < w.y + w.side_v; ++y) {
+    for (std::int32_t x = w.x; x < w.x + w.side_u; ++x) {
+      const double away = distance_in_gates(run, w.refitted, x, y);
+      if (away < 0) continue;
+      sum += std::min(1.0, away * away);
+      readings += 1;
+    }
+  }
+  return readings > 0 ? sum / readings : 0;
+}
+
+/// The window, with what lies near a plane.
+TriplePicture show_near(const ExplainDepthRun& run, const InverseDepthPlane& plane) {
+  const WatchedWindow& w = *run.ransac.window;
+  const Size size{w.side_u, w.side_v};
+  TriplePicture out;
+  out.picture = paint(size, zoom_of(size), [&](std::int32_t x, std::int32_t y) {
+    const double away = distance_in_gates(run, plane, w.x + x, w.y + y);
+    if (away < 0) return hole_colour;
+    ++out.readings;
+    if (away > 1) return free_colour_of_readings;
+    ++out.inliers;
+    return mix(inlier_colour, paper, 0.7 * away * away);
+  });
+  return out;
+}
+
 }  // namespace
 
 Image<Rgb> show_window(const ExplainDepthRun& run) {
@@ -80,47 +118,36 @@ Image<Rgb> show_window(const ExplainDepthRun& run) {
   return picture;
 }
 
-Image<Rgb> show_hypotheses(const WatchedWindow& window) {
+Image<Rgb> show_hypotheses(const ExplainDepthRun& run) {
+  const WatchedWindow& window = *run.ransac.window;
   const auto count = static_cast<double>(window.events.size());
   Chart chart(chart_body, {0, count + 1, "hypothesis"}, {0, 1.0 * window.subset, "cost"});
+  const double refitted = mean_cost(run, window) * window.subset;
+  draw_line(chart.picture().view(), chart.place(0, refitted), chart.place(count + 1, refitted),
+            {inlier_colour, 2, 0.9});
   for (const RansacEvent& event : window.events) {
     const Point2 at = chart.place(event.iteration + 1.0, static_cast<double>(event.cost));
-    draw_dot(chart.picture(), at, event.best ? 9 : 5, event.best ? taken_colour : waiting_colour);
-  }
-  const std::vector<RansacEvent> best = best_events(window);
-  for (std::size_t i = 0; i < best.size(); ++i) {
-    const double until = i + 1 < best.size() ? best[i + 1].iteration + 1.0 : count;
-    const auto cost = static_cast<double>(best[i].cost);
-    draw_line(chart.picture().view(), chart.place(best[i].iteration + 1.0, cost), chart.place(until, cost),
-              {taken_colour, 1.6, 0.8});
+    draw_dot(chart.picture(), at, event.best ? 11 : 6, event.best ? taken_colour : waiting_colour);
   }
   return std::move(chart.picture());
 }
 
 TriplePicture show_triple(const ExplainDepthRun& run, const RansacEvent& event) {
   const WatchedWindow& w = *run.ransac.window;
-  const PlaneGate gate = widened(run.options.frame);
   const PixelReading corners[] = {reading_of(run, event.triple[0]), reading_of(run, event.triple[1]),
                                   reading_of(run, event.triple[2])};
-  const InverseDepthPlane plane = plane_through(corners[0], corners[1], corners[2]);
-  const Size size{w.side_u, w.side_v};
-  const int zoom = zoom_of(size);
-  TriplePicture out;
-  out.picture = paint(size, zoom, [&](std::int32_t x, std::int32_t y) {
-    const auto q = static_cast<double>(run.inverse_depth.at(w.x + x, w.y + y));
-    if (!(q > 0)) return hole_colour;
-    ++out.readings;
-    const double share = std::abs(plane.at(w.x + x, w.y + y) - q) / (gate.sigmas * gate.inverse_noise(q));
-    if (share > 1) return free_colour_of_readings;
-    ++out.inliers;
-    return mix(inlier_colour, paper, 0.7 * share * share);
-  });
+  const int zoom = zoom_of({w.side_u, w.side_v});
+  TriplePicture out = show_near(run, plane_through(corners[0], corners[1], corners[2]));
   Point2 at[3];
   for (int i = 0; i < 3; ++i) at[i] = {(corners[i].x - w.x + 0.5) * zoom, (corners[i].y - w.y + 0.5) * zoom};
   for (int i = 0; i < 3; ++i) draw_line(out.picture.view(), at[i], at[(i + 1) % 3], {ink, 1.5, 0.7});
   for (const Point2& corner : at) draw_dot(out.picture, corner, 13, paper);
   for (const Point2& corner : at) draw_dot(out.picture, corner, 9, taken_colour);
   return out;
+}
+
+TriplePicture show_refitted(const ExplainDepthRun& run) {
+  return show_near(run, run.ransac.window->refitted);
 }
 
 std::vector<RansacEvent> best_events(const WatchedWindow& window) {
@@ -137,17 +164,17 @@ Image<Rgb> show_boxes(const ExplainDepthRun& run) {
   Image<Rgb> picture = paint(size, zoom, [&](std::int32_t x, std::int32_t y) {
     const Rgb base = pale_depth(run, range, x, y);
     const std::uint16_t candidate = run.nearest.at(x, y);
-    return candidate == 0 ? base : mix(base, plane_colour(candidate), 0.35);
+    return candidate == 0 || candidate > shown_boxes ? base : mix(base, plane_colour(candidate), 0.35);
   });
   const double cell = 1.0 * run.options.ransac.cell * zoom;
-  for (std::size_t k = run.ransac.candidates.size(); k-- > 0;) {
+  for (std::size_t k = std::min(run.ransac.candidates.size(), shown_boxes); k-- > 0;) {
     const PlaneCandidate& c = run.ransac.candidates[k];
     draw_box(
         picture, {c.column0 * cell, c.row0 * cell},
         {std::min(c.column1 * cell, 1.0 * picture.width()), std::min(c.row1 * cell, 1.0 * picture.height())},
         {plane_colour(static_cast<std::uint32_t>(k + 1)), c.rough ? 1.2 : 2.6, 1});
   }
-  draw_numbers(picture, run.nearest, zoom);
+  draw_numbers(picture, run.nearest, zoom, shown_boxes);
   return picture;
 }
 
