@@ -18,12 +18,25 @@ const char* name_of(PictureKind kind) {
 }  // namespace
 
 void DetectionArguments::add_to(CLI::App& command) {
-  LineMapOptions& o = given;
+  add_picture(command);
+  add_method(command, given.hough.method);
+  add_the_rest(command);
+}
+
+void DetectionArguments::add_without_method(CLI::App& command) {
+  add_picture(command);
+  add_the_rest(command);
+}
+
+void DetectionArguments::add_picture(CLI::App& command) {
   add_choice<PictureKind>(
-      command, "--picture", o.picture,
+      command, "--picture", given.picture,
       {{"auto", PictureKind::automatic}, {"map", PictureKind::map}, {"photo", PictureKind::photo}},
       "in a map what is dark is wall, in a photo every edge is a line");
-  add_method(command, o.hough.method);
+}
+
+void DetectionArguments::add_the_rest(CLI::App& command) {
+  LineMapOptions& o = given;
   add_real(command, "--min-length", o.min_length, {3, 1e6}, "PX", "shorter segments are dropped");
   add_real(command, "--max-gap", o.max_gap, {0, 1e6}, "PX", "a hole in a wall up to this long is bridged");
   add_real(command, "--max-wall-width", o.max_wall_width, {0, 50}, "PX",

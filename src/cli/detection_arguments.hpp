@@ -14,12 +14,19 @@ namespace straightedge::cli {
 /// object must stay where it is until the arguments are parsed.
 struct DetectionArguments {
   void add_to(CLI::App& command);
+  /// All but --method, for a command whose own has more words; it calls set_method.
+  void add_without_method(CLI::App& command);
   /// Fails with `bad_option` where options contradict each other.
   Result<LineMapOptions> options(std::uint64_t seed) const;
 
   PictureKind picture() const { return given.picture; }
+  HoughMethod method() const { return given.hough.method; }
+  void set_method(HoughMethod method) { given.hough.method = method; }
 
  private:
+  void add_picture(CLI::App& command);
+  void add_the_rest(CLI::App& command);
+
   LineMapOptions given;  // all but what `canny` knows
   CannyArguments canny{LineMapOptions{}.canny};
 };

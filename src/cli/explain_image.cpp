@@ -3,69 +3,18 @@
 #include "cli/explain_image.hpp"
 
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "cli/explain_accumulator.hpp"
+#include "cli/explain_files.hpp"
 #include "cli/explain_pictures.hpp"
 #include "cli/explain_progress.hpp"
 #include "cli/explain_run.hpp"
 #include "cli/explain_sections.hpp"
-#include "straightedge/host/atomic_file.hpp"
-#include "straightedge/host/image_file.hpp"
 
 namespace straightedge::cli {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr const char* page_name = "index.html";
-// An old page must not speak of new pictures when one of them cannot be written, and a new page not lie
-// beside pictures of an older run.
-constexpr const char* sometimes_written[] = {page_name,        "ground.png",     "progress-1.png",
-                                             "progress-2.png", "progress-3.png", "progress-4.png"};
-
-struct NamedFile {
-  std::string name;
-  std::string bytes;
-};
-
-/// Half of the pictures have no colour, and one channel is encoded three times as fast.
-Result<std::string> encode(const Image<Rgb>& picture) {
-  Image<std::uint8_t> gray(picture.size());
-  for (std::int32_t y = 0; y < picture.height(); ++y) {
-    const Rgb* row = picture.view().row(y);
-    std::uint8_t* to = gray.view().row(y);
-    for (std::int32_t x = 0; x < picture.width(); ++x) {
-      if (row[x].red != row[x].green || row[x].red != row[x].blue) return encode_png(picture.view());
-      to[x] = row[x].red;
-    }
-  }
-  return encode_png(gray.view());
-}
-
-/// Encodes one picture after another; the first failure stays.
-class PictureFiles {
- public:
-  void add(const std::string& name, const Image<Rgb>& picture) {
-    if (!trouble_.sentence.empty()) return;
-    auto png = encode(picture);
-    if (!png) {
-      trouble_ = png.failure();
-      return;
-    }
-    files_.push_back({name, std::move(*png)});
-  }
-  Result<std::vector<NamedFile>> take() {
-    if (!trouble_.sentence.empty()) return trouble_;
-    return std::move(files_);
-  }
-
- private:
-  std::vector<NamedFile> files_;
-  Failure trouble_;
-};
 
 Result<std::vector<NamedFile>> picture_files(const ExplainRun& run, GrayView gray, GradientNorm norm,
                                              const PictureScale& scale, const Image<Rgb>& accumulator,
@@ -90,35 +39,10 @@ Result<std::vector<NamedFile>> picture_files(const ExplainRun& run, GrayView gra
   return files.take();
 }
 
-Result<bool> make_folder(const fs::path& directory) {
-  std::error_code error;
-  const bool made = fs::create_directories(directory, error);
-  if (error || !fs::is_directory(directory, error)) {
-    const std::string reason = error ? error.message() : "it is not a folder";
-    return Failure{Problem::cannot_write, directory.string() + ": cannot be made (" + reason + ")"};
-  }
-  return made;
-}
-
-Result<Done> write_folder(const std::vector<NamedFile>& files, const fs::path& directory) {
-  const auto made = make_folder(directory);
-  if (!made) return made.failure();
-  std::error_code ignored;
-  for (const char* name : sometimes_written) {
-    if (fs::is_regular_file(directory / name, ignored)) fs::remove(directory / name, ignored);
-  }
-  for (const NamedFile& file : files) {
-    const auto done = write_file_atomically(directory / file.name, file.bytes);
-    if (done) continue;
-    if (*made) fs::remove_all(directory, ignored);
-    return done.failure();
-  }
-  return Done{};
-}
-
 }  // namespace
 
-Result<Done> explain_image(GrayView gray, const ExplainOptions& options, const fs::path& directory) {
+Result<Done> explain_image(GrayView gray, const ExplainOptions& options,
+                           const std::filesystem::path& directory) {
   // Step 1.
   const auto run = run_stages(gray, options.lines);
   if (!run) return run.failure();

@@ -36,24 +36,6 @@ Point2 in_picture(Point2 pixel, const PictureScale& scale) {
   return {(pixel.x + 0.5) * scale.zoom, (pixel.y + 0.5) * scale.zoom};
 }
 
-void draw_number(Image<Rgb>& picture, std::size_t number, Point2 at, int size) {
-  const std::string text = std::to_string(number);
-  const Size box = text_size(text, size);
-  const auto place = [size](double middle, std::int32_t extent, std::int32_t room) {
-    const std::int32_t margin = 2 * size;
-    const auto first = static_cast<std::int32_t>(middle) - extent / 2;
-    return std::clamp(first, margin, std::max(margin, room - extent - margin));
-  };
-  const std::int32_t x = place(at.x, box.width, picture.width());
-  const std::int32_t y = place(at.y, box.height, picture.height());
-  for (std::int32_t v = y - size; v < y + box.height + size; ++v) {
-    for (std::int32_t u = x - size; u < x + box.width + size; ++u) {
-      if (picture.view().contains(u, v)) picture.at(u, v) = paper;
-    }
-  }
-  draw_text(picture.view(), text, {.x = x, .y = y, .scale = size, .colour = peak_colour});
-}
-
 }  // namespace
 
 Image<Rgb> show_peaks(const ExplainRun& run, const PictureScale& scale) {
@@ -71,8 +53,8 @@ Image<Rgb> show_peaks(const ExplainRun& run, const PictureScale& scale) {
     // At places that differ, so that the numbers of neighbours do not cover one another.
     const double share = 0.08 + 0.84 * std::fmod(0.3 + golden_section * static_cast<double>(i), 1.0);
     const Point2 a = in_picture(chord->from, scale), b = in_picture(chord->to, scale);
-    draw_number(picture, i + 1, {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)},
-                std::max(2, static_cast<int>(width)));
+    draw_tag(picture, std::to_string(i + 1), {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)},
+             {.scale = std::max(2, static_cast<int>(width)), .colour = peak_colour});
   }
   return picture;
 }

@@ -7,31 +7,15 @@
 #include <vector>
 
 #include "cli/explain_colours.hpp"
+#include "cli/explain_paint.hpp"
 
 namespace straightedge::cli {
 namespace {
 
-constexpr std::int32_t wanted_side = 640;  // pixels
-constexpr std::int32_t largest_zoom = 64;
 constexpr std::int32_t wheel_side = 160;
 
 double length_of(std::int32_t magnitude, GradientNorm norm) {
   return norm == GradientNorm::l2 ? std::sqrt(magnitude) : magnitude;
-}
-
-/// A picture of the size of the run's in which the function says the colour of each pixel.
-template <class Colour>
-Image<Rgb> paint(Size size, int zoom, Colour colour) {
-  Image<Rgb> picture(Size{size.width * zoom, size.height * zoom});
-  for (std::int32_t y = 0; y < size.height; ++y) {
-    Rgb* first = picture.view().row(y * zoom);
-    for (std::int32_t x = 0; x < size.width; ++x) {
-      const Rgb value = colour(x, y);
-      std::fill_n(first + x * zoom, zoom, value);
-    }
-    for (int k = 1; k < zoom; ++k) std::copy_n(first, picture.width(), picture.view().row(y * zoom + k));
-  }
-  return picture;
 }
 
 Rgb gray_level(double share) {
@@ -48,7 +32,7 @@ double turns_of(double x, double y) {
 PictureScale scale_of(const ExplainRun& run, GradientNorm norm) {
   PictureScale scale;
   const Size size = run.edges.size();
-  scale.zoom = std::clamp(wanted_side / std::max(size.width, size.height), 1, largest_zoom);
+  scale.zoom = zoom_of(size);
   const ImageView<const std::int32_t> view = run.canny.magnitude();
   std::vector<std::int32_t> magnitudes(view.data, view.data + std::ptrdiff_t{size.width} * size.height);
   const auto place = magnitudes.begin() + static_cast<std::ptrdiff_t>((magnitudes.size() - 1) * 99 / 100);

@@ -18,15 +18,23 @@ std::string gigabytes(double bytes) {
   return io::to_text(bytes / 1e9, 1) + " GB";
 }
 
-}  // namespace
-
-Result<Image<std::uint8_t>> read_picture(const std::filesystem::path& file) {
-  auto picture = read_gray_image(file);
+Result<Image<std::uint8_t>> small_enough(Result<Image<std::uint8_t>> picture,
+                                         const std::filesystem::path& file) {
   if (!picture) return picture;
   if (picture->width() <= longest_side && picture->height() <= longest_side) return picture;
   return Failure{Problem::bad_content, file.string() + ": is " + io::to_text(picture->width()) + " x " +
                                            io::to_text(picture->height()) + " pixels, and a side may have " +
                                            io::to_text(longest_side)};
+}
+
+}  // namespace
+
+Result<Image<std::uint8_t>> read_picture(const std::filesystem::path& file) {
+  return small_enough(read_gray_image(file), file);
+}
+
+Result<Image<std::uint8_t>> decode_picture(std::string_view bytes, const std::filesystem::path& file) {
+  return small_enough(decode_gray_image(bytes, file.string()), file);
 }
 
 Result<Done> check_memory(const std::filesystem::path& file, std::size_t bytes) {

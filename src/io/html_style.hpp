@@ -36,7 +36,7 @@ th { font-weight: 600; font-size: .875rem; }
 td { font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
 .facts th { font-weight: 400; color: var(--soft); }
 .numbers { min-width: min(100%, 26rem); }
-.numbers td, .numbers th { text-align: right; padding: .25rem 0 .25rem 1.4rem; }
+.numbers td, .numbers th { text-align: right; padding: .25rem 0 .25rem 1.4rem; overflow-wrap: break-word; }
 .numbers td:first-child, .numbers th:first-child { padding-left: 0; }
 .sources { font-size: .875rem; color: var(--soft); }
 code { font: .9em/1.4 ui-monospace, 'SF Mono', 'DejaVu Sans Mono', monospace; overflow-wrap: anywhere; }
