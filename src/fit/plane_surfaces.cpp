@@ -12,8 +12,10 @@ namespace {
 constexpr double chi_square_gate = 11.34;
 // Nor are planes told apart that lie nearer than this in deviations of the noise, root mean square over the
 // smaller one: two planes that share the cells of one surface part them by the sign of their noise. Where
-// their cells alternate all over (so many contacts a cell of the smaller one) it takes more.
-constexpr double floor_deviations = 1.5;
+// their cells alternate all over (so many contacts a cell of the smaller one) it takes more; planes that do
+// not touch part no surface.
+constexpr double floor_when_apart = 0.5;
+constexpr double floor_when_touching = 1.5;
 constexpr double floor_when_mixed = 2.5;
 constexpr double contacts_of_mixed = 0.25;
 // Standard deviation of the bend: the radius of a wall in the picture of a common sensor. Half a Kinect's
@@ -93,8 +95,8 @@ bool PlaneSurfaces::are_one(const QuadraticSums& a, const QuadraticSums& b, std:
   const double cost = (fit_both.squares - fit_a.squares - fit_b.squares) / (noise * noise);
   const double cells = std::min(a.n, b.n) / (DepthCells::side * DepthCells::side);
   const bool mixed = touching >= contacts_of_mixed * cells;
-  const double apart = mixed ? floor_when_mixed : floor_deviations;
-  return cost < chi_square_gate * options_.noise_pixels + apart * apart * a.n * b.n / both.n &&
+  const double floor = mixed ? floor_when_mixed : touching > 0 ? floor_when_touching : floor_when_apart;
+  return cost < chi_square_gate * options_.noise_pixels + floor * floor * a.n * b.n / both.n &&
          fit(both, surface);
 }
 
