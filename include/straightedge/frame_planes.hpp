@@ -26,7 +26,7 @@ struct FramePlanesOptions {
   /// A plane with fewer pixels leaves; 0: one thousandth of the picture, at least 64.
   std::uint32_t min_pixels = 0;
   std::uint32_t max_planes = 64;  ///< at most 256
-  std::uint32_t rounds = 2;       ///< searches, each on what the ones before left over; 1 to 8
+  std::uint32_t rounds = 1;       ///< searches, each on what the ones before left over; 1 to 8
   /// Neighbours of a reading share its noise; so many pixels count as one independent reading. 1 to 1000.
   double noise_pixels = 28;
   /// Real frames stray further from planes than the noise model says; residuals may be so many times larger

@@ -15,14 +15,18 @@ constexpr std::array<double, DepthCells::levels> pure_of_neighbour{4, 3, 2, 2};
 // Cells with fewer readings than this share of their pixels are left to the next finer level.
 constexpr double least_share = 0.2;
 
+// A cell below this leaves no doubt about the smaller ones in it.
+constexpr double beyond_doubt = 1;
+
+std::size_t place_of(Size size, std::int32_t x, std::int32_t y) noexcept {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+}
+
 struct Best {
   std::uint16_t label = 0;
   double squares = 1e300;
 
-  void offer(std::uint16_t plane, const InverseDepthMoments& cell,
-             std::span<const BentPlane> planes) noexcept {
-    const double found =
-        squared_residuals(cell, planes[plane - 1U].tangent(cell.u / cell.n, cell.v / cell.n));
+  void offer(std::uint16_t plane, double found) noexcept {
     if (found < squares) {
       squares = found;
       label = plane;
@@ -51,18 +55,8 @@ struct Around {
   }
 };
 
-std::uint16_t label_of(const InverseDepthMoments& cell, std::span<const std::uint16_t> around,
-                       const PlaneGate& gate, int level, std::span<const BentPlane> planes) noexcept {
-  const double noise = gate.inverse_noise(cell.q / cell.n);
-  const double unit = cell.n * noise * noise;
-  Best best;
-  for (const std::uint16_t label : around) best.offer(label, cell, planes);
-  if (best.squares < pure_of_neighbour[static_cast<std::size_t>(level)] * unit) return best.label;
-  for (std::size_t k = 1; k <= planes.size(); ++k) best.offer(static_cast<std::uint16_t>(k), cell, planes);
-  return best.squares < pure * unit ? best.label : std::uint16_t{0};
-}
-
-/// The labels of one level; a block of 2x2 cells lies in one coarser cell and shares what is around.
+/// The labels of one level; a block of 2x2 cells lies in one coarser cell and shares what is around, where
+/// planes are taken for flat.
 struct Level {
   const DepthCells& cells;
   std::span<const BentPlane> planes;
@@ -70,23 +64,51 @@ struct Level {
   const CellLabels& labels;
   int level;
 
+  Around around(std::int32_t x, std::int32_t y) const noexcept {
+    if (level + 1 == DepthCells::levels) return Around({}, {}, 0, 0);
+    return Around(cells.size(level + 1), labels[static_cast<std::size_t>(level) + 1], x / 2, y / 2);
+  }
+  std::uint16_t label_of(const InverseDepthMoments& cell, const Around& near,
+                         std::span<const InverseDepthPlane> flat) const noexcept {
+    const double noise = gate.inverse_noise(cell.q / cell.n);
+    const double unit = cell.n * noise * noise;
+    Best best;
+    for (std::size_t k = 0; k < near.count; ++k) best.offer(near.labels[k], squared_residuals(cell, flat[k]));
+    if (best.squares < pure_of_neighbour[static_cast<std::size_t>(level)] * unit) return best.label;
+    const double u = cell.u / cell.n, v = cell.v / cell.n;
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+      best.offer(static_cast<std::uint16_t>(k + 1), squared_residuals(cell, planes[k].tangent(u, v)));
+    }
+    return best.squares < pure * unit ? best.label : std::uint16_t{0};
+  }
+  /// The plane that the coarser cell of a block and all around it have, if the cell fits it so well that no
+  /// part of it can be another's; else 0.
+  std::uint16_t inherited(std::int32_t x, std::int32_t y, const Around& near) const noexcept {
+    if (near.count != 1) return 0;
+    const std::size_t place = place_of(cells.size(level + 1), x / 2, y / 2);
+    const InverseDepthMoments& cell = cells.level(level + 1)[place];
+    const std::uint16_t label = labels[static_cast<std::size_t>(level) + 1][place];
+    if (label == 0) return 0;
+    const double noise = gate.inverse_noise(cell.q / cell.n);
+    const InverseDepthPlane plane = planes[label - 1U].tangent(cell.u / cell.n, cell.v / cell.n);
+    return squared_residuals(cell, plane) < beyond_doubt * cell.n * noise * noise ? label : std::uint16_t{0};
+  }
   void block(std::int32_t x, std::int32_t y) const noexcept {
     const Size size = cells.size(level);
-    const bool coarsest = level + 1 == DepthCells::levels;
-    const Around around =
-        coarsest ? Around({}, {}, 0, 0)
-                 : Around(cells.size(level + 1), labels[static_cast<std::size_t>(level) + 1], x / 2, y / 2);
+    const Around near = around(x, y);
+    const std::uint16_t given = inherited(x, y, near);
     const std::int32_t side = DepthCells::side << level;
     const double least = least_share * side * side;
+    std::array<InverseDepthPlane, 9> flat;
+    for (std::size_t k = 0; given == 0 && k < near.count; ++k) {
+      flat[k] = planes[near.labels[k] - 1U].tangent((x + 1) * side, (y + 1) * side);
+    }
     for (std::int32_t j = y; j < std::min(y + 2, size.height); ++j) {
       for (std::int32_t i = x; i < std::min(x + 2, size.width); ++i) {
-        const auto place =
-            static_cast<std::size_t>(j) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(i);
+        const std::size_t place = place_of(size, i, j);
         const InverseDepthMoments& cell = cells.level(level)[place];
         std::uint16_t label = 0;
-        if (cell.n >= least) {
-          label = label_of(cell, std::span(around.labels).first(around.count), gate, level, planes);
-        }
+        if (cell.n >= least) label = given != 0 ? given : label_of(cell, near, flat);
         labels[static_cast<std::size_t>(level)][place] = label;
       }
     }

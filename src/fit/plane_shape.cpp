@@ -41,6 +41,7 @@ struct Flood {
     const auto i = static_cast<std::size_t>(cell);
     const InverseDepthMoments& m = cells.level(0)[i];
     if (memory.visited[i] == label || m.n < least_readings) return false;
+    if (labels[i] == label) return true;  // it lies on the plane, or would not have its label
     const double noise = gate.inverse_noise(m.q / m.n);
     return squared_residuals(m, surface.tangent(m.u / m.n, m.v / m.n)) < on_plane * noise * noise * m.n;
   }
