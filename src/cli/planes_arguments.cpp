@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t most_pixels = std::uint64_t{1} << 28U;
 constexpr double least_threshold_m = 0.001, most_threshold_m = 0.1;
 constexpr double threshold_noises = 5;  // the noise is that of the flattest half of a cloud
-constexpr double near_spacings = 7;     // as far as the smallest planes reach
+// How far apart points of one hypothesis are: less than the smallest planes, and enough that their noise does
+// not tilt it.
+constexpr double near_spacings = 7, near_noises = 100;
 constexpr std::uint64_t most_points = std::uint64_t{1} << 31U;
 
 Failure refusal(const std::string& input, const std::string& sentence) {
@@ -142,7 +144,8 @@ CloudOptions PlanesArguments::cloud_options(std::size_t points, const CloudScale
   options.ransac.min_inliers = options.hough.min_points = least_points(points);
   options.ransac.max_planes = options.hough.max_planes = max_planes();
   options.ransac.min_share = 0;
-  options.ransac.near_radius = options.hough.triple_max_m = near_spacings * scale.spacing_m;
+  options.ransac.near_radius = options.hough.triple_max_m =
+      std::max(near_spacings * scale.spacing_m, near_noises * scale.noise_m);
   options.hough.triple_min_m = options.hough.triple_max_m / 4;
   options.ransac.seed = options.hough.seed = common.seed;
   return options;
@@ -151,7 +154,7 @@ CloudOptions PlanesArguments::cloud_options(std::size_t points, const CloudScale
 PlaneGate PlanesArguments::gate_of_cloud(const CloudScale& scale) const {
   PlaneGate gate = gate_;
   const bool given = sigma_option_->count() + sigmas_option_->count() + threshold_option_->count() > 0;
-  if (!given)
+  if (!given && !scale.picture)
     gate.fixed_m = std::clamp(threshold_noises * scale.noise_m, least_threshold_m, most_threshold_m);
   return gate;
 }

@@ -31,6 +31,41 @@ Failure refusal(Status status) {
   return {Problem::bad_content, to_string(status)};
 }
 
+/// Sums for a straight line through (at, value).
+struct LineSums {
+  double n = 0, a = 0, v = 0, aa = 0, av = 0, vv = 0;
+
+  void add(double at, double value) {
+    n += 1;
+    a += at;
+    v += value;
+    aa += at * at;
+    av += at * value;
+    vv += value * value;
+  }
+  /// The line rises, and the values lie within one step of it.
+  bool straight() const {
+    const double scatter = aa - a * a / n, slope = (av - a * v / n) / scatter;
+    const double residual = (vv - v * v / n) - slope * slope * scatter;
+    return scatter > 0 && residual < slope * slope * n;
+  }
+};
+
+/// Step 5.
+bool is_picture(const PointsView& points) {
+  if (points.width < 2 || points.count <= static_cast<std::size_t>(points.width)) return false;
+  const auto width = static_cast<std::size_t>(points.width);
+  LineSums columns, rows;
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const Vector3 at = points.at(i);
+    if (!finite(at)) continue;
+    if (!(at.z > 0)) return false;
+    columns.add(static_cast<double>(i % width), at.x / at.z);
+    rows.add(static_cast<double>(i / width), at.y / at.z);
+  }
+  return columns.n > 2 && columns.straight() && rows.straight();
+}
+
 /// Step 1.
 std::vector<std::size_t> sample(const PointsView& points) {
   std::vector<std::size_t> readings;
@@ -87,7 +122,8 @@ Result<CloudScale> measure_cloud(const PointsView& points) {
     residuals.push_back(plane.rms * std::sqrt(neighbours / (neighbours - 3.0)));
     radii.push_back(std::sqrt(near.back().squared_distance));
   }
-  return CloudScale{median(residuals), median(radii) * std::sqrt(3.141592653589793 / neighbours)};
+  return CloudScale{median(residuals), median(radii) * std::sqrt(3.141592653589793 / neighbours),
+                    is_picture(points)};
 }
 
 }  // namespace straightedge
