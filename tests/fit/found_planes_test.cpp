@@ -82,8 +82,8 @@ std::vector<std::uint16_t> labels_of(const Cloud& cloud, const std::vector<Found
   return labels;
 }
 
-constexpr PlaneGate kinect{1.425e-3, 20, 0};
-constexpr PlaneGate fixed{1.425e-3, 3, 0.05};
+constexpr PlaneGate kinect{.floor_m = 0, .sigmas = 20};
+constexpr PlaneGate fixed{.fixed_m = 0.05};
 
 }  // namespace
 
@@ -111,7 +111,7 @@ TEST_CASE("of equally near planes the first one gets the point, and the gate is 
   planes[2].fit.plane = {{0, 0, 1}, 2};
   Cloud cloud;
   for (const double z : {2.0, 2.5, 3.0, 3.5, 3.75, 1.5, 1.25}) cloud.add({1, 1, z});
-  CHECK(labels_of(cloud, planes, {1e-3, 3, 0.5}) == std::vector<std::uint16_t>{2, 1, 1, 1, 0, 2, 0});
+  CHECK(labels_of(cloud, planes, {.fixed_m = 0.5}) == std::vector<std::uint16_t>{2, 1, 1, 1, 0, 2, 0});
 }
 
 TEST_CASE("behind the sensor and through the sensor there are planes for fixed gates alone") {
@@ -226,7 +226,7 @@ TEST_CASE("views, gates and labels that make no sense are refused") {
   CHECK(refit_labelled({}, labels, {}, planes) == Status::invalid_image);
   CHECK(label_nearest(cloud.view(), planes, {}, short_labels, labelled) == Status::size_mismatch);
   CHECK(refit_labelled(cloud.view(), short_labels, {}, planes) == Status::size_mismatch);
-  for (const PlaneGate& gate : {PlaneGate{0, 3, 0}, {1e-3, std::nan(""), 0}, {1e-3, 3, -1}}) {
+  for (const PlaneGate& gate : {PlaneGate{.inverse_sigma = 0}, {.sigmas = std::nan("")}, {.fixed_m = -1}}) {
     CHECK(label_nearest(cloud.view(), planes, gate, labels, labelled) == Status::invalid_option);
     CHECK(refit_labelled(cloud.view(), labels, gate, planes) == Status::invalid_option);
   }

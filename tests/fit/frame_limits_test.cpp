@@ -57,6 +57,23 @@ TEST_CASE("min_pixels 0 is a thousandth of the picture, at least 64") {
   CHECK(find(frame, proposed, options).planes.size() == 1);
 }
 
+TEST_CASE("min_pixels counts readings, not pixels without one") {
+  const Plane wall{{0, 0, 1}, 2.5}, board{{0, 0, 1}, 1.5};
+  DepthScene scene({320, 240});
+  scene.draw_plane(1, wall);
+  scene.draw_part(2, board, [](const Vector3& p) { return std::fabs(p.x) < 0.12 && std::fabs(p.y) < 0.12; });
+  SensorNoise noise;
+  noise.holes = 0.6;
+  noise.hole_side = 1;
+  const DepthFrame frame = support::frame_of(scene, noise, 2);  // some 700 of the board's 1764 pixels
+  const auto proposed = seen_by(frame.camera, {wall, board});
+  FramePlanesOptions options;
+  options.min_pixels = 600;
+  CHECK(find(frame, proposed, options).planes.size() == 2);
+  options.min_pixels = 800;
+  CHECK(find(frame, proposed, options).planes.size() == 1);
+}
+
 TEST_CASE("max_planes bounds what the search may propose") {
   const Room room;
   for (const std::uint32_t most : {1U, 3U, 4U}) {
