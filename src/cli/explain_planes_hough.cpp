@@ -110,7 +110,7 @@ std::vector<Ring> rings_of(const HoughStage& stage) {
     if (near == rings.end()) {
       rings.push_back({at, std::to_string(number)});
     } else {
-      near->numbers += " " + std::to_string(number);
+      near->numbers.append(" ").append(std::to_string(number));
     }
   }
   return rings;
