@@ -56,11 +56,12 @@ Result<Done> finish(const ExplainArguments& arguments, const fs::path& picture, 
 
 Result<Done> explain_lines(const ExplainArguments& arguments, const MapSource& source,
                            std::string_view bytes) {
+  // First of all: a depth frame that is cut short is no picture with wrong options.
+  const auto gray = decode_picture(bytes, source.picture);
+  if (!gray) return gray.failure();
   auto options = arguments.line_options();
   if (!options) return options.failure();
   options->meaning = source.meaning;
-  const auto gray = decode_picture(bytes, source.picture);
-  if (!gray) return gray.failure();
   const std::size_t work = Canny::workspace_bytes(gray->size(), options->canny) +
                            HoughLines::workspace_bytes(gray->size(), options->hough);
   if (auto fits = check_memory(source.picture, work + 40 * pixels_of(gray->size())); !fits) return fits;

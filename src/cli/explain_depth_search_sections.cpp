@@ -72,7 +72,8 @@ HtmlSection hypotheses_section(DepthStory& story) {
                  "Each dot is a guess: the lower the better, at most " + std::to_string(window.subset) +
                      ", the number of readings that are asked. Red: better than all before, refitted ones "
                      "included. Green "
-                     "line: the plane in the end. The dots end where a better guess has become unlikely."));
+                     "line: the plane in the end, measured on all readings of the window. The dots end where "
+                     "a better guess has become unlikely."));
   section.facts = {{"window-draws", "Guesses", in_words(static_cast<std::int64_t>(window.events.size()))},
                    {"window-best", "Times that a guess was the best so far",
                     in_words(static_cast<std::int64_t>(best.size()))},
@@ -141,10 +142,10 @@ HtmlSection patch_section(DepthStory& story) {
            "Look how large patches fill walls and floors, and small ones crowd along edges. A small or "
            "far patch knows its normal so badly that its vote would be spread over half the sphere; those "
            "are crossed out and do not vote, but a plane may still take them later."},
-      .figures = {add_figure(
-          story, "patches.png", show_patches(story.run), "Squares in colours of planes",
-          "Patches, in the colour of the candidate that took them in the end. Pale: taken by "
-          "none. White: by a plane that others explain as well. Crossed out: too unsure to vote.")},
+      .figures = {add_figure(story, "patches.png", show_patches(story.run), "Squares in colours of planes",
+                             "Patches, in the colour of the candidate that took them in the end. Light gray: "
+                             "taken by none. Dark gray: not flat. White: by a plane that others explain as "
+                             "well. Crossed out: too unsure to vote.")},
       .facts = {{"patches-count", "Patches", in_words(std::int64_t{stage.result.patches})},
                 {"unsure", "Too unsure to vote", in_words(unsure)},
                 {"votes", "That voted", in_words(std::int64_t{stage.result.votes})},
@@ -184,7 +185,7 @@ HtmlSection accumulator_section(DepthStory& story) {
                story, "accumulator.png", sphere.picture,
                "Heat map of votes on a disc of directions, with numbered rings",
                "The sphere of normals, seen from its middle: planes ahead are in the middle, the floor "
-               "below. Brightness: root of the most votes of any distance. Circles: 30, 60 and "
+               "below. Brightness: cube root of the most votes of any distance. Circles: 30, 60 and "
                "90 degrees from the camera's axis. Rings: the peaks of the candidates."),
            add_figure(story, "distances.png", show_distances(story.run),
                       "Votes over distance, one row for each candidate",

@@ -123,7 +123,8 @@ std::string side_of(const Vector3& n) {
 }
 
 std::string in_words(const Vector3& v) {
-  return in_words(v.x, 3) + ", " + in_words(v.y, 3) + ", " + in_words(v.z, 3);
+  constexpr const char* comma = ",\u00a0";  // a table's cell is not to break in it
+  return in_words(v.x, 3) + comma + in_words(v.y, 3) + comma + in_words(v.z, 3);
 }
 
 std::vector<HtmlSection> input_sections(DepthStory& story) {

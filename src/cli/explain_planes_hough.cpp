@@ -21,7 +21,7 @@ namespace {
 constexpr std::int32_t disc = 640, border = 80;  // pixels
 constexpr double edge_degrees = 125;
 constexpr double ring_radius = 9;
-constexpr Rgb bare_colour{0xE6, 0xE8, 0xEB};
+constexpr Rgb bare_colour{0xC4, 0xC9, 0xD0};
 constexpr Rgb rival_colour{0xFF, 0xFF, 0xFF};
 
 double radius_of(double degrees) {
@@ -72,9 +72,9 @@ void draw_rings(Image<Rgb>& picture) {
   for (const int degrees : {30, 60, 90}) {
     draw_circle(picture, middle, radius_of(degrees), {paper, 1, 0.35});
     draw_text(picture.view(), std::to_string(degrees),
-              {.x = static_cast<std::int32_t>(middle.x) + 4,
-               .y = static_cast<std::int32_t>(middle.y - radius_of(degrees)) + 4,
-               .scale = 1,
+              {.x = static_cast<std::int32_t>(middle.x + 0.7071 * radius_of(degrees)) + 4,
+               .y = static_cast<std::int32_t>(middle.y - 0.7071 * radius_of(degrees)) - 14,
+               .scale = 2,
                .colour = bare_colour});
   }
   const auto write = [&](const char* text, double x, double y) {
@@ -91,16 +91,36 @@ void draw_rings(Image<Rgb>& picture) {
   write("right", disc + 1.5 * border, middle.y);
 }
 
+/// Rings that fall on one place share it and name all of their candidates.
+struct Ring {
+  Point2 at;
+  std::string numbers;
+};
+
+std::vector<Ring> rings_of(const HoughStage& stage) {
+  std::vector<Ring> rings;
+  for (std::size_t number = 1; number <= std::min(stage.candidates.size(), shown_planes); ++number) {
+    const auto grown = std::find_if(stage.planes.begin(), stage.planes.end(),
+                                    [&](const GrownPlane& plane) { return plane.number == number; });
+    if (grown == stage.planes.end()) continue;
+    const Point2 at = on_disc(grown->peak.plane.normal);
+    const auto near = std::find_if(rings.begin(), rings.end(), [&](const Ring& ring) {
+      return std::hypot(ring.at.x - at.x, ring.at.y - at.y) < ring_radius;
+    });
+    if (near == rings.end()) {
+      rings.push_back({at, std::to_string(number)});
+    } else {
+      near->numbers.append(" ").append(std::to_string(number));
+    }
+  }
+  return rings;
+}
+
 void draw_peaks(const HoughStage& stage, Image<Rgb>& picture) {
-  for (const GrownPlane& grown : stage.planes) {
-    if (grown.number == 0 || grown.number > shown_planes) continue;
-    const Point2 at = on_disc(grown.peak.plane.normal);
-    draw_circle(picture, at, ring_radius, {marker_colour, 1.8, 1});
-    draw_text(picture.view(), std::to_string(grown.number),
-              {.x = static_cast<std::int32_t>(at.x + ring_radius) + 3,
-               .y = static_cast<std::int32_t>(at.y) - 6,
-               .scale = 2,
-               .colour = marker_colour});
+  for (const Ring& ring : rings_of(stage)) {
+    draw_circle(picture, ring.at, ring_radius, {marker_colour, 2, 1});
+    const double right = ring.at.x + ring_radius + 6 + text_size(ring.numbers, 2).width / 2.0;
+    draw_tag(picture, ring.numbers, {right, ring.at.y}, {.scale = 2, .colour = ink});
   }
 }
 
@@ -146,7 +166,7 @@ SpherePicture show_sphere(const ExplainDepthRun& run) {
       Vector3 n;
       if (!from_disc(x + 0.5, y + 0.5, n)) continue;
       const auto cell = static_cast<std::size_t>(accumulator.directions().cell(n));
-      out.picture.at(x, y) = heat(out.most_votes > 0 ? std::sqrt(best[cell] / whole) : 0);
+      out.picture.at(x, y) = heat(out.most_votes > 0 ? std::cbrt(best[cell] / whole) : 0);
     }
   }
   draw_rings(out.picture);
