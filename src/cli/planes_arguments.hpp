@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
-#include "straightedge/host/cloud_scale.hpp"
+#include "straightedge/host/measure_cloud.hpp"
 #include "straightedge/host/depth_sequence.hpp"
 #include "straightedge/host/plane_detector.hpp"
 #include "straightedge/host/plane_map_builder.hpp"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -204,4 +205,26 @@ TEST_CASE("points are thinned to as many as asked for") {
   const int count = std::stoi(ply.substr(at, ply.find('\n', at) - at));
   CHECK(count <= 5000);
   CHECK(count > 2500);
+}
+
+TEST_CASE("an interrupted run leaves all labels or none") {
+  const RoomFolder folder;
+  for (int ms = 1; ms <= 61; ms += 4) {
+    const Run run = run_program({"planes", folder.room().string(), "-o", folder.out("m.xml"), "--labels",
+                                 folder.out("labels"), "--method", "both"},
+                                {.interrupt_after_ms = ms});
+    INFO(ms << " ms, " << run.err);
+    CHECK((run.code == 0 || run.code == -SIGINT));
+    for (const std::string& name : names_in(folder)) {
+      CHECK((name == "room" || name == "labels" || name == "m-ransac.xml" || name == "m-hough.xml"));
+      if (name.ends_with(".xml")) CHECK(read_plane_map(folder / name));
+      if (name != "labels") continue;
+      for (const std::string& method : methods) {
+        for (int i = 0; i < planes_room::frames; ++i)
+          CHECK(read_depth_image(folder / "labels" / method / (std::to_string(i) + ".png")));
+      }
+    }
+    for (const char* name : {"labels", "m-ransac.xml", "m-hough.xml"})
+      std::filesystem::remove_all(folder / name);
+  }
 }

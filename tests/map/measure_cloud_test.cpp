@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
-#include "straightedge/host/cloud_scale.hpp"
+#include "straightedge/host/measure_cloud.hpp"
 
 #include <cmath>
 #include <limits>
