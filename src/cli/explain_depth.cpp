@@ -2,22 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "cli/explain_depth.hpp"
 
-#include <tinyxml2.h>
-
 #include "cli/explain_depth_run.hpp"
 #include "cli/explain_depth_sections.hpp"
+#include "io/svg_size.hpp"
 #include "straightedge/host/plane_view.hpp"
 
 namespace straightedge::cli {
 namespace {
-
-Size svg_size(const std::string& svg) {
-  tinyxml2::XMLDocument document;
-  if (document.Parse(svg.data(), svg.size()) != tinyxml2::XML_SUCCESS) return {};
-  const tinyxml2::XMLElement& root = *document.RootElement();
-  return {static_cast<std::int32_t>(root.FloatAttribute("width")),
-          static_cast<std::int32_t>(root.FloatAttribute("height"))};
-}
 
 /// The last section's drawing is no PNG, so it goes its own way.
 NamedFile draw_map(const ExplainDepthRun& run, const ExplainDepthOptions& options, io::HtmlPage& page) {
@@ -26,7 +17,7 @@ NamedFile draw_map(const ExplainDepthRun& run, const ExplainDepthOptions& option
                  plane_map_svg(run.map, {.title = "Planes of " + options.input, .camera_path = camera})};
   for (io::HtmlSection& section : page.sections) {
     for (io::HtmlFigure& figure : section.figures) {
-      if (figure.file == file.name) figure.size = svg_size(file.bytes);
+      if (figure.file == file.name) figure.size = io::svg_size(file.bytes);
     }
   }
   return file;
