@@ -12,8 +12,8 @@
 #include "straightedge/depth_view.hpp"
 #include "straightedge/detail/quadratic_surface.hpp"
 #include "straightedge/found_planes.hpp"
-#include "straightedge/inverse_depth.hpp"
 #include "straightedge/frame_planes_search.hpp"
+#include "straightedge/inverse_depth.hpp"
 
 namespace straightedge {
 
@@ -111,7 +111,7 @@ class FramePlanes {
     contacts_ = arena.take<std::uint32_t>(std::size_t{options.max_planes} * options.max_planes);
     moments_ = arena.take<InverseDepthMoments>(options.max_planes);
   }
-  void search_round(const DepthView& depth, const PlaneSearch& search, ImageView<std::uint16_t> labels,
+  void search_round(const DepthView& depth, const PlaneSearch& search, ImageView<const std::uint16_t> labels,
                     PlanesFound& found) noexcept;
   void assign_cells() noexcept;
   void refit(const PinholeCamera& camera) noexcept;

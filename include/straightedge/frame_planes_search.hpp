@@ -18,9 +18,9 @@ struct ProposedPlane {
   std::uint32_t iterations = 0;  ///< as FoundPlane::iterations
 };
 
-/// The method: looks at the readings (inverse depth above 0) whose label is 0 and writes planes, strongest
-/// first; returns how many. RANSAC and the Hough transform are two of them (ransac_frame.hpp,
-/// hough_frame.hpp).
+/// The method: looks at the readings (inverse depth above 0) whose label is 0, or at all of them when `labels`
+/// has no data, and writes planes, strongest first; returns how many. RANSAC (ransac_search.hpp) and the Hough
+/// transform (hough_plane_patches.hpp) are two of them.
 struct PlaneSearch {
   void* user = nullptr;
   std::uint32_t (*run)(void* user, ImageView<const float> inverse_depth,

@@ -174,7 +174,7 @@ void FramePlanes::clear_cell(std::int32_t cell) noexcept {
 }
 
 void FramePlanes::search_round(const DepthView& depth, const PlaneSearch& search,
-                               ImageView<std::uint16_t> labels, PlanesFound& found) noexcept {
+                               ImageView<const std::uint16_t> labels, PlanesFound& found) noexcept {
   // Step 2.
   const std::span<ProposedPlane> room = candidates_.subspan(count_);
   const std::uint32_t proposed = search.run(search.user, inverse_depth_, labels, depth.camera, room);
@@ -203,13 +203,11 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   double readings = 0;
   for (const InverseDepthMoments& cell : cells_.level(DepthCells::levels - 1)) readings += cell.n;
   found.readings = static_cast<std::uint32_t>(readings);
-  for (std::int32_t y = 0; y < labels.height; ++y) std::fill_n(labels.row(y), labels.width, std::uint16_t{0});
   // Steps 2 to 6.
-  for (std::uint32_t round = 0; round < options_.rounds; ++round) {
-    if (round > 0) {
-      detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], surfaces_.first(count_), options_.gate,
-                           labels, moments_, list_);
-    }
+  search_round(depth, search, {}, found);
+  for (std::uint32_t round = 1; round < options_.rounds; ++round) {
+    detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], surfaces_.first(count_), options_.gate,
+                         labels, moments_, list_);
     search_round(depth, search, labels, found);
   }
   return finish(depth, labels, planes, found);
@@ -228,12 +226,14 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
   sort_by_pixels(moments_.first(count_), std::span(order).first(count_));
   std::array<std::uint16_t, most_planes + 1> new_label{};
   Status status = Status::ok;
+  PlaneGate noise = options_.gate;
+  noise.inverse_sigma /= options_.slack;  // as the caller gave it
   for (std::uint32_t i = 0; i < count_; ++i) {
     const InverseDepthMoments& m = moments_[order[i]];
     const ProposedPlane& candidate = candidates_[order[i]];
     InverseDepthFit fit;
     FoundPlane plane;
-    const double sigma = options_.gate.inverse_sigma / options_.slack * __builtin_sqrt(options_.noise_pixels);
+    const double sigma = m.n > 0 ? noise.inverse_noise(m.q / m.n) * __builtin_sqrt(options_.noise_pixels) : 0;
     if (m.n < min_pixels_ || fit_inverse_depth(m, sigma, fit) != Status::ok ||
         to_plane_fit(fit, sigma, depth.camera, plane.fit) != Status::ok) {
       continue;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int32_t side = DepthCells::side;
 // Planes of cells up to two cells away are tried: beyond lies another surface's border.
-constexpr std::int32_t reach = 2;
+constexpr std::int32_t reach = 1;
 constexpr std::size_t most_around = (2 * reach + 1) * (2 * reach + 1);
 // Cells that are filled at once: so few that a bent plane is flat over them.
 constexpr std::size_t longest_run = 16;
