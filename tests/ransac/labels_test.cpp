@@ -70,36 +70,41 @@ TEST_CASE("A plane that cuts through a wall keeps no stripe of it", "[ransac]") 
   const detail::RansacSearchMemory memory = detail::RansacSearchMemory::take(arena, scene::size, options);
   const ransac::Lattice lattice(scene::size, options, memory);
   REQUIRE(ransac::draw_lattice(lattice, c.frame.view(), {}, options) > 4000);
-  std::vector<PlaneCandidate> candidates(2);
-  for (PlaneCandidate& candidate : candidates) {
-    candidate.column1 = lattice.columns;
-    candidate.row1 = lattice.rows;
-  }
-  candidates[0].fit.plane = to_inverse_depth(c.box, scene::camera);
-  candidates[1].fit.plane = to_inverse_depth(c.wall, scene::camera);
-  ransac::contest_cells(lattice, candidates);
-  int stripe_of_single_readings = 0, stripe = 0, box = 0;
-  for (std::int32_t row = 0; row < lattice.rows; ++row) {
-    for (std::int32_t column = 0; column < lattice.columns; ++column) {
-      const std::size_t i = lattice.at(column, row);
-      if (memory.q[i] < 0) continue;
-      const bool on_box = column >= 5 && column < 20 && row >= 15 && row < 45;
-      const double q = static_cast<double>(memory.q[i]), u = static_cast<double>(memory.u[i]),
-                   v = static_cast<double>(memory.v[i]);
-      const double off_box = q - candidates[0].fit.plane.at(u, v),
-                   off_wall = q - candidates[1].fit.plane.at(u, v);
-      stripe_of_single_readings += !on_box && off_box * off_box < off_wall * off_wall ? 1 : 0;
-      stripe += !on_box && memory.owner[i] == 1 ? 1 : 0;
-      box += on_box && memory.owner[i] == 1 ? 1 : 0;
+  const InverseDepthPlane box_plane = to_inverse_depth(c.box, scene::camera);
+  const InverseDepthPlane wall_plane = to_inverse_depth(c.wall, scene::camera);
+  for (const std::size_t box_at : {std::size_t{0}, std::size_t{1}}) {
+    CAPTURE(box_at);
+    std::vector<PlaneCandidate> candidates(2);
+    for (PlaneCandidate& candidate : candidates) {
+      candidate.column1 = lattice.columns;
+      candidate.row1 = lattice.rows;
     }
+    candidates[box_at].fit.plane = box_plane;
+    candidates[1 - box_at].fit.plane = wall_plane;
+    ransac::contest_cells(lattice, candidates);
+    int stripe_of_single_readings = 0, stripe = 0, box = 0;
+    for (std::int32_t row = 0; row < lattice.rows; ++row) {
+      for (std::int32_t column = 0; column < lattice.columns; ++column) {
+        const std::size_t i = lattice.at(column, row);
+        if (memory.q[i] < 0) continue;
+        const bool on_box = column >= 5 && column < 20 && row >= 15 && row < 45;
+        const bool owned = memory.owner[i] == static_cast<std::int32_t>(box_at) + 1;
+        const double q = static_cast<double>(memory.q[i]);
+        const double u = static_cast<double>(memory.u[i]), v = static_cast<double>(memory.v[i]);
+        const double off_box = q - box_plane.at(u, v), off_wall = q - wall_plane.at(u, v);
+        stripe_of_single_readings += !on_box && off_box * off_box < off_wall * off_wall ? 1 : 0;
+        stripe += !on_box && owned ? 1 : 0;
+        box += on_box && owned ? 1 : 0;
+      }
+    }
+    CHECK(box > 400);
+    CHECK(stripe_of_single_readings > 50);
+    CHECK(stripe * 2 < stripe_of_single_readings);
+    // Refitted to what they own, both are the planes that they were.
+    ransac::refit_owners(lattice, candidates, 30, scene::sigma);
+    CHECK(candidates[box_at].cells > 400);
+    PlaneFit fit;
+    REQUIRE(to_plane_fit(candidates[1 - box_at].fit, scene::sigma, scene::camera, fit) == Status::ok);
+    CHECK(scene::error_of(fit.plane, c.wall).angle < 2e-3);
   }
-  CHECK(box > 400);
-  CHECK(stripe_of_single_readings > 50);
-  CHECK(stripe * 2 < stripe_of_single_readings);
-  // Refitted to what they own, both are the planes that they were.
-  ransac::refit_owners(lattice, candidates, 30, scene::sigma);
-  CHECK(candidates[0].cells > 400);
-  PlaneFit fit;
-  REQUIRE(to_plane_fit(candidates[1].fit, scene::sigma, scene::camera, fit) == Status::ok);
-  CHECK(scene::error_of(fit.plane, c.wall).angle < 2e-3);
 }
