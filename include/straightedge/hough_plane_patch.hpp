@@ -18,7 +18,7 @@ struct HoughPatchOptions {
   double max_distance_m = 8;         ///< of planes from the camera, (0, 1e6]; farther ones share a cell
   std::int32_t largest_patch = 64;   ///< pixels: 8, 16, 32 or 64
   double shared_noise_pixels = 16;   ///< so many neighbours share their noise, [1, 1000]; 1: none do
-  double max_spread_rad = 0.35;      ///< patches that know their normal less well do not vote, (0, 1]
+  double max_spread_rad = 0.25;      ///< patches that know their normal less well do not vote, (0, 1]
   double warp_sigmas = 0.5;          ///< low bumps in the sensor's depth, in units of its noise, [0, 10]
   double bend_rad = 0.05;            ///< how much they turn a patch's normal, [0, 0.5]
   std::uint32_t min_pixels = 300;    ///< a candidate's patches have at least so many readings
@@ -36,6 +36,7 @@ struct HoughPatch {
   InverseDepthPlane plane;
   double mean_u = 0, mean_v = 0;             ///< pixels
   double mean_q = 0;                         ///< 1/metre
+  double gate = 0;                           ///< of one reading's 1/z, 1/metre
   double noise = 0;                          ///< variance of the mean of 1/z is this / moments.n
   std::array<double, 3> slope_covariance{};  ///< of plane.a and plane.b: aa, ab, bb
 
@@ -45,6 +46,12 @@ struct HoughPatch {
   std::array<double, 3> precision{};  ///< inverse covariance of the normal's errors along the tangents,
                                       ///< enlarged by the cell size: uu, uv, vv
   double reach_rad = 0;               ///< directions farther from the normal get no vote
+};
+
+/// A patch in short.
+struct HoughPatchMean {
+  double u = 0, v = 0, q = 0, gate = 0;
+  std::uint32_t patch = 0;
 };
 
 /// A plane that many patches share.

@@ -22,6 +22,7 @@ namespace detail {
 struct HoughPatchMemory {
   std::array<std::span<InverseDepthMoments>, 4> levels;  ///< squares of 8, 16, 32, 64 pixels
   std::span<HoughPatch> patches;
+  std::span<HoughPatchMean> means;
   std::span<HoughPlanePeak> peaks;
   std::span<HoughPlaneCandidate> candidates;
   HoughAccumulator accumulator;
@@ -37,6 +38,7 @@ struct HoughPatchMemory {
       side *= 2;
     }
     patches = arena.take<HoughPatch>(squares(size, hough_patch_side));
+    means = arena.take<HoughPatchMean>(squares(size, hough_patch_side));
     peaks = arena.take<HoughPlanePeak>(2 * static_cast<std::size_t>(options.max_candidates));
     candidates = arena.take<HoughPlaneCandidate>(static_cast<std::size_t>(options.max_candidates));
     accumulator.take(arena, options.accumulator);

@@ -12,8 +12,8 @@ constexpr double steps_at_first = 1.5;
 /// the gate is one of 1/z, and |n·p − d| = z d times the residual of 1/z.
 double limit_at(const PlaneGate& gate, const Vector3& point, double sensor_distance) noexcept {
   if (gate.fixed_m > 0) return gate.fixed_m;
-  const double limit = gate.sigmas * gate.inverse_sigma * point.z * sensor_distance;
-  return limit > 0 ? limit : -1;
+  if (!(point.z > 0)) return -1;
+  return gate.sigmas * gate.inverse_noise(1 / point.z) * point.z * sensor_distance;
 }
 
 /// Labels the free points near the plane, and takes the label from those that are not. Returns how many.

@@ -36,11 +36,11 @@ bool near_peak(const PatchScene& scene, const HoughPatch& patch, const Plane& pe
   return off <= scene.step_m && off >= -scene.step_m && kernel_distance(patch, normal) < vote_reach_squared;
 }
 
-HoughPatch* find_seed(const PatchScene& scene, std::span<HoughPatch> patches, const Plane& peak) noexcept {
+HoughPatch* find_seed(const PatchScene& scene, const PatchPool& pool, const Plane& peak) noexcept {
   HoughPatch* best = nullptr;
-  for (HoughPatch& patch : patches) {
-    if (patch.candidate != 0 || !patch.votes) continue;
-    if (best != nullptr && patch.moments.n <= best->moments.n) continue;
+  for (const HoughPatchMean& mean : pool.free) {
+    HoughPatch& patch = pool.of(mean);
+    if (!patch.votes || (best != nullptr && patch.moments.n <= best->moments.n)) continue;
     if (near_peak(scene, patch, peak)) best = &patch;
   }
   return best;
@@ -57,39 +57,48 @@ double slope_distance(const PatchScene& scene, const HoughPatch& patch, const In
   return (da * da * bb - 2 * da * db * ab + db * db * aa) / (aa * bb - ab * ab);
 }
 
+/// Is the plane within the gate at the patch's mean? Cheap, and enough to pass most patches by.
+bool passes_gate(const HoughPatchMean& mean, const InverseDepthPlane& plane) noexcept {
+  const double off = plane.at(mean.u, mean.v) - mean.q;
+  return off <= mean.gate && off >= -mean.gate;
+}
+
+/// Step 5's test but for the gate.
 bool agrees(const PatchScene& scene, const HoughPatch& patch, const InverseDepthFit& fit,
             double most_known) noexcept {
   const double u = patch.mean_u, v = patch.mean_v;
-  const double sigma = scene.gate.inverse_noise(patch.mean_q);
+  const double sigma = patch.gate / scene.gate.sigmas;
+  const double variance = sigma * sigma;
   const double off = fit.plane.at(u, v) - patch.mean_q;
-  const double gate = scene.gate.sigmas * sigma;
-  if (!(off * off <= gate * gate)) return false;
   const auto& [aa, ab, ac, bb, bc, cc] = fit.covariance;
   const double known = u * (aa * u + 2 * (ab * v + ac)) + v * (bb * v + 2 * bc) + cc;
-  if (!(known <= most_known * most_known * sigma * sigma)) return false;
-  const double warp = scene.options.warp_sigmas * sigma;
-  const double mean = off * off / (patch.noise / patch.moments.n + known + warp * warp);
-  return mean + slope_distance(scene, patch, fit) <= most_distance;
+  if (!(known <= most_known * most_known * variance)) return false;
+  const double warp = scene.options.warp_sigmas * scene.options.warp_sigmas * variance;
+  const double mean = off * off / (patch.noise / patch.moments.n + known + warp);
+  return mean <= most_distance && mean + slope_distance(scene, patch, fit) <= most_distance;
 }
 
 bool fit_sum(const PatchScene& scene, const InverseDepthMoments& sum, InverseDepthFit& fit) noexcept {
-  const double sigma = scene.gate.inverse_noise(sum.q / sum.n) * __builtin_sqrt(scene.options.shared_noise_pixels);
+  const double sigma =
+      scene.gate.inverse_noise(sum.q / sum.n) * __builtin_sqrt(scene.options.shared_noise_pixels);
   return fit_inverse_depth(sum, sigma, fit) == Status::ok;
 }
 
 /// From the seed's plane to that of all patches that agree.
 PatchSum grow_from(const PatchScene& scene, const HoughPatch& seed, const Plane& peak,
-                   std::span<const HoughPatch> patches) noexcept {
+                   const PatchPool& pool) noexcept {
   PatchSum sum;
   sum.add(seed);
   for (int round = 0; round < most_rounds; ++round) {
     InverseDepthFit fit;
     if (!fit_sum(scene, sum.moments, fit)) break;
     PatchSum next;
-    for (const HoughPatch& patch : patches) {
-      if (patch.candidate != 0) continue;
-      const double known = near_peak(scene, patch, peak) ? known_sigmas_near_peak : known_sigmas;
-      if (agrees(scene, patch, fit, known)) next.add(patch);
+    for (const HoughPatchMean& mean : pool.free) {
+      if (!passes_gate(mean, fit.plane)) continue;
+      const HoughPatch& patch = pool.of(mean);
+      const bool good = agrees(scene, patch, fit, known_sigmas) ||
+                        (near_peak(scene, patch, peak) && agrees(scene, patch, fit, known_sigmas_near_peak));
+      if (good) next.add(patch);
     }
     if (next.patches == 0 || (next.patches == sum.patches && next.moments.n == sum.moments.n)) break;
     sum = next;
@@ -97,23 +106,46 @@ PatchSum grow_from(const PatchScene& scene, const HoughPatch& seed, const Plane&
   return sum;
 }
 
+/// Writes the number into the patches that agree, and takes them out of the pool.
+void claim(const PatchScene& scene, const InverseDepthFit& fit, std::uint16_t number,
+           PatchPool& pool) noexcept {
+  std::size_t kept = 0;
+  for (const HoughPatchMean& mean : pool.free) {
+    HoughPatch& patch = pool.of(mean);
+    const bool taken = patch.candidate == number ||
+                       (passes_gate(mean, fit.plane) && agrees(scene, patch, fit, known_sigmas));
+    if (taken) {
+      patch.candidate = number;
+    } else {
+      pool.free[kept++] = mean;
+    }
+  }
+  pool.free = pool.free.first(kept);
+}
+
 }  // namespace
 
-bool grow(const PatchScene& scene, const Plane& peak, std::span<HoughPatch> patches, std::uint16_t number,
+PatchPool make_pool(std::span<HoughPatch> patches, std::span<HoughPatchMean> means) noexcept {
+  for (std::uint32_t i = 0; i < patches.size(); ++i) {
+    const HoughPatch& patch = patches[i];
+    means[i] = {patch.mean_u, patch.mean_v, patch.mean_q, patch.gate, i};
+  }
+  return {patches, means.first(patches.size())};
+}
+
+bool grow(const PatchScene& scene, const Plane& peak, PatchPool& pool, std::uint16_t number,
           HoughPlaneCandidate& candidate) noexcept {
-  HoughPatch* seed = find_seed(scene, patches, peak);
+  HoughPatch* seed = find_seed(scene, pool, peak);
   if (seed == nullptr) return false;
-  const PatchSum sum = grow_from(scene, *seed, peak, patches);
+  const PatchSum sum = grow_from(scene, *seed, peak, pool);
   if (sum.moments.n < scene.options.min_pixels || !fit_sum(scene, sum.moments, candidate.fit)) {
     seed->votes = false;
     return false;
   }
   candidate.pixels = static_cast<std::uint32_t>(sum.moments.n);
   candidate.patches = sum.patches;
-  for (HoughPatch& patch : patches) {
-    if (patch.candidate == 0 && agrees(scene, patch, candidate.fit, known_sigmas)) patch.candidate = number;
-  }
   seed->candidate = number;
+  claim(scene, candidate.fit, number, pool);
   return true;
 }
 

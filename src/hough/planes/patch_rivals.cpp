@@ -45,10 +45,10 @@ double squared(const InverseDepthPlane& plane, std::int32_t x, std::int32_t y, d
   return off * off < most ? off * off : most;
 }
 
-/// 64 readings of a patch at most, whatever its size.
+/// 16 readings of a patch at most, whatever its size.
 void add_patch(const PatchScene& scene, const DepthInput& input, const HoughPatch& patch,
                const InverseDepthPlane& own, const Rivals& rivals, Contest& contest) noexcept {
-  const std::int32_t step = patch.side / hough_patch_side;
+  const std::int32_t step = patch.side / 4;
   const std::int32_t right =
       patch.x + patch.side < scene.size.width ? patch.x + patch.side : scene.size.width;
   const std::int32_t low =
@@ -58,8 +58,8 @@ void add_patch(const PatchScene& scene, const DepthInput& input, const HoughPatc
   const double weight = patch.moments.n;
   Contest sum;
   double readings = 0;
-  for (std::int32_t y = patch.y; y < low; y += step) {
-    for (std::int32_t x = patch.x; x < right; x += step) {
+  for (std::int32_t y = patch.y + step / 2; y < low; y += step) {
+    for (std::int32_t x = patch.x + step / 2; x < right; x += step) {
       if (!is_reading(input, x, y)) continue;
       const auto q = static_cast<double>(input.inverse_depth.at(x, y));
       double least = most;

@@ -21,7 +21,7 @@ constexpr std::uint32_t thinnest = 64;
 struct Search {
   const PatchScene& scene;
   detail::HoughPatchMemory& memory;
-  std::span<HoughPatch> patches;
+  hough::PatchPool pool;
   HoughPlaneTrace trace;
   std::uint32_t found = 0;
   std::uint32_t votes = 0;
@@ -68,13 +68,13 @@ std::span<HoughPatch> cut(const PatchScene& scene, detail::HoughPatchMemory& mem
 Status vote(Search& search, std::uint32_t& voters) noexcept {
   HoughAccumulator& accumulator = search.memory.accumulator;
   voters = 0;
-  for (std::uint32_t i = 0; i < search.patches.size(); ++i) {
-    const HoughPatch& patch = search.patches[i];
-    if (!patch.votes || patch.candidate != 0) continue;
+  for (const HoughPatchMean& mean : search.pool.free) {
+    const HoughPatch& patch = search.pool.of(mean);
+    if (!patch.votes) continue;
     if (voters == 0) accumulator.clear(search.scene.step_m);
     hough::cast_vote(patch, accumulator);
     ++voters;
-    if (!search.trace({.step = HoughPlaneStep::vote, .plane = patch.space, .voter = i})) {
+    if (!search.trace({.step = HoughPlaneStep::vote, .plane = patch.space, .voter = mean.patch})) {
       return Status::cancelled;
     }
   }
@@ -98,7 +98,7 @@ Status grow_peaks(Search& search) noexcept {
       return Status::cancelled;
     }
     const auto number = static_cast<std::uint16_t>(search.found + 1);
-    if (!hough::grow(search.scene, plane, search.patches, number, candidate)) continue;
+    if (!hough::grow(search.scene, plane, search.pool, number, candidate)) continue;
     candidate.votes = peak.votes;
     ++search.found;
     if (!search.trace({HoughPlaneStep::plane, search.scene.space(candidate.fit.plane), number, peak.votes})) {
@@ -175,7 +175,7 @@ HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, con
   patches_ = patches.size();
   result.patches = static_cast<std::uint32_t>(patches.size());
   // Steps 3 to 6.
-  Search search{scene, memory_, patches, trace};
+  Search search{scene, memory_, hough::make_pool(patches, memory_.means), trace};
   result.status = search_rounds(search);
   result.votes = search.votes;
   // Step 7.

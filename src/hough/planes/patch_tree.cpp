@@ -119,6 +119,7 @@ bool Tree::planar(const Square& s, const InverseDepthMoments& m) noexcept {
   patch.mean_u = c.u;
   patch.mean_v = c.v;
   patch.mean_q = c.q;
+  patch.gate = scene_.gate.sigmas * sigma;
   patch.noise = noise;
   const double scale = noise / determinant;
   patch.slope_covariance = {scale * c.vv, -scale * c.uv, scale * c.uu};

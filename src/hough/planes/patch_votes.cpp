@@ -73,14 +73,6 @@ void shape_vote(const PatchScene& scene, HoughPatch& patch) noexcept {
   if (patch.reach_rad > 1.5) patch.reach_rad = 1.5;
 }
 
-double kernel_distance(const HoughPatch& patch, const Vector3& direction) noexcept {
-  if (!(dot(direction, patch.space.normal) > 0)) return 1e9;
-  const double u = dot(direction, patch.tangent_u);
-  const double v = dot(direction, patch.tangent_v);
-  const auto& [uu, uv, vv] = patch.precision;
-  return u * (uu * u + 2 * uv * v) + vv * v * v;
-}
-
 void cast_vote(const HoughPatch& patch, HoughAccumulator& accumulator) noexcept {
   const HoughDirections& directions = accumulator.directions();
   const auto& [uu, uv, vv] = patch.precision;
