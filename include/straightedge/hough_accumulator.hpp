@@ -25,7 +25,7 @@ struct HoughAccumulatorOptions {
 /// A plane near the origin may come out as (n, d) or, the normal turned round, as (−n, d'): cell 0 of a
 /// direction and cell 0 of its antipode are neighbours. `votes_beside` knows.
 ///
-/// Memory: 4 bytes a cell, 24 for each direction, 40 for each row: 1.4 MB by default.
+/// Memory: 4 bytes a cell, 24 for each direction, 40 for each row: 1.3 MB by default.
 class HoughAccumulator {
  public:
   /// Direction cells times distance cells; 0 when an option is out of range or there are more than 2^28.
