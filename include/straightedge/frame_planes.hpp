@@ -26,7 +26,7 @@ struct FramePlanesOptions {
   /// A plane with fewer pixels leaves; 0: one thousandth of the picture, at least 64.
   std::uint32_t min_pixels = 0;
   std::uint32_t max_planes = 64;  ///< at most 256
-  std::uint32_t rounds = 1;       ///< searches, each on what the ones before left over; 1 to 8
+  std::uint32_t rounds = 2;       ///< searches at most, each on what is left over; 1 to 8
   /// Neighbours of a reading share its noise; so many pixels count as one independent reading. 1 to 1000.
   double noise_pixels = 28;
   /// Real frames stray further from planes than the noise model says; residuals may be so many times larger
@@ -34,6 +34,13 @@ struct FramePlanesOptions {
   double slack = 1.4;
   bool reject_curved = true;  ///< flat strips of balls and pillars are no planes
 };
+
+/// What min_pixels comes to for pictures of a size.
+constexpr std::uint32_t least_pixels(Size size, const FramePlanesOptions& options) noexcept {
+  if (options.min_pixels > 0) return options.min_pixels;
+  const std::size_t share = DepthCells::cell_count(size) / 1000;
+  return share > 64 ? static_cast<std::uint32_t>(share < 0xFFFFFFF ? share : 0xFFFFFFF) : 64U;
+}
 
 /// The gate with its noise as `slack` widens it: the one for the search, too.
 constexpr PlaneGate widened(const FramePlanesOptions& options) noexcept {
@@ -54,10 +61,9 @@ constexpr PlaneGate widened(const FramePlanesOptions& options) noexcept {
 ///  5. A plane without solid pieces (cells that touch) is a stripe along a crease and leaves. One whose solid
 ///     pieces are bent (a quadratic surface fits them better by more than chance, radius below 0.6 m)
 ///     is a strip of something round: it leaves with its cells.
-///  6. Steps 2 to 5 again on the pixels that are left over.
+///  6. Steps 2 to 5 again on what is left over, if a plane may be in it.
 ///  7. Pixels: where all cells around agree, a pixel is its plane's if it lies within the gate; elsewhere it
-///  goes to
-///     the nearest of the planes around, judged by the mean over the 3x3 pixels of its own surface.
+///     goes to the nearest of the planes around, judged by the mean over its own surface's 3x3 pixels.
 ///  8. Last fit to all pixels of each label; planes with too few leave; largest first.
 ///
 /// Overlap-based comparison of range image segmentation: A. Hoover et al., IEEE PAMI 18(7), 1996,

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cell_labels.hpp"
+#include "free_cells.hpp"
 #include "pixel_labels.hpp"
 #include "plane_shape.hpp"
 #include "plane_surfaces.hpp"
@@ -75,8 +76,7 @@ Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
   if (arena.failed()) return Status::workspace_too_small;
   options_ = options;
   options_.gate = widened(options);
-  const auto share = static_cast<std::uint32_t>(pixels / 1000);
-  min_pixels_ = options.min_pixels > 0 ? options.min_pixels : std::max(share, 64U);
+  min_pixels_ = least_pixels(size, options);
   prepared_ = true;
   return Status::ok;
 }
@@ -206,8 +206,8 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   // Steps 2 to 6.
   search_round(depth, search, {}, found);
   for (std::uint32_t round = 1; round < options_.rounds; ++round) {
-    detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], surfaces_.first(count_), options_.gate,
-                         labels, moments_, list_);
+    const std::uint32_t middles = detail::free_cells(cells_, cell_labels_[0], visited_, labels);
+    if (middles * DepthCells::side * DepthCells::side < min_pixels_) break;
     search_round(depth, search, labels, found);
   }
   return finish(depth, labels, planes, found);

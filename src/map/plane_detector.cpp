@@ -53,13 +53,16 @@ Result<PlaneDetector> PlaneDetector::create(Size size, const PlaneDetectorOption
   PlaneDetector made;
   made.options_ = options;
   made.options_.ransac.gate = widened(options.frame);
+  const std::uint32_t least = least_pixels(size, options.frame);
+  made.options_.ransac.min_pixels = std::min(options.ransac.min_pixels, static_cast<std::int32_t>(least));
+  made.options_.hough.min_pixels = std::min(options.hough.min_pixels, least);
   made.frame_ = std::make_unique<FramePlanes>();
   made.ransac_ = std::make_unique<RansacSearch>();
   made.hough_ = std::make_unique<HoughPatchSearch>();
   const bool ransac = options.method == PlaneMethod::ransac;
   const std::size_t frame_bytes = FramePlanes::workspace_bytes(size, options.frame);
   const std::size_t search_bytes = ransac ? RansacSearch::workspace_bytes(size, made.options_.ransac)
-                                          : HoughPatchSearch::workspace_bytes(size, options.hough);
+                                          : HoughPatchSearch::workspace_bytes(size, made.options_.hough);
   if (search_bytes == 0) return refused(Status::invalid_option);
   // Options that are out of range must not decide how much memory is taken.
   const Status checked = made.frame_->prepare(size, options.frame, {});
@@ -70,7 +73,7 @@ Result<PlaneDetector> PlaneDetector::create(Size size, const PlaneDetectorOption
   if (frame != Status::ok) return refused(frame);
   const Status search =
       ransac ? RansacSearch::prepare(*made.ransac_, size, made.options_.ransac, bytes.subspan(frame_bytes))
-             : HoughPatchSearch::prepare(*made.hough_, size, options.hough, bytes.subspan(frame_bytes));
+             : HoughPatchSearch::prepare(*made.hough_, size, made.options_.hough, bytes.subspan(frame_bytes));
   if (search != Status::ok) return refused(search);
   return made;
 }

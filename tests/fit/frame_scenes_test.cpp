@@ -37,7 +37,7 @@ TEST_CASE("true planes of a box room get their readings") {
     check_walls(result, room.planes);
     CHECK(agreement(result, frame, room.scene.truth()) > 0.98);
     check_counts(result, frame);
-    CHECK(result.calls == 2);
+    CHECK(result.calls == 1);  // nothing is left over to look at again
     for (const FoundPlane& plane : result.planes) CHECK(plane.iterations == 7);
     CHECK(result.found.iterations == 7);
   }
@@ -181,7 +181,10 @@ TEST_CASE("the second round sees what the first left over") {
     auto& w = *static_cast<Watch*>(user);
     std::uint32_t free = 0;
     for (int y = 0; y < q.height; ++y) {
-      for (int x = 0; x < q.width; ++x) free += q.at(x, y) > 0 && labels.at(x, y) == 0 ? 1U : 0U;
+      for (int x = 0; x < q.width; ++x) {
+        const bool is_free = labels.data == nullptr || labels.at(x, y) == 0;
+        free += q.at(x, y) > 0 && is_free ? 1U : 0U;
+      }
     }
     out[0].fit.plane = w.planes[w.free.size()];
     w.free.push_back(free);

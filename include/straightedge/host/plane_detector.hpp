@@ -20,7 +20,7 @@ enum class PlaneMethod : std::uint8_t { ransac, hough };
 
 struct PlaneDetectorOptions {
   PlaneMethod method = PlaneMethod::ransac;
-  FramePlanesOptions frame;  ///< its gate is the search's too
+  FramePlanesOptions frame;  ///< its gate is the search's too, and bounds the search's min_pixels
   RansacSearchOptions ransac;
   HoughPatchOptions hough;
 };
