@@ -28,11 +28,13 @@ void copy_free(const float* pixels, const std::uint16_t* labels, std::int32_t co
   }
 }
 
-/// Squared gates of readings; `fixed` metres along z are q² times as wide in 1/z.
-void limits_of(const float* q, std::int32_t count, float constant, float fixed,
+/// Squared gates of readings: `constant` in 1/z, or `metres` along z, which are q² times as wide in 1/z,
+/// whichever is more.
+void limits_of(const float* q, std::int32_t count, float constant, float metres,
                float* __restrict limit) noexcept {
   for (std::int32_t i = 0; i < count; ++i) {
-    const float wide = constant + fixed * (q[i] * q[i]);
+    const float floor = metres * (q[i] * q[i]);
+    const float wide = floor > constant ? floor : constant;
     const std::int32_t near_enough = q[i] > wide ? 1 : 0;
     const std::int32_t far_enough = q[i] <= 1e6F ? 1 : 0;
     limit[i] = static_cast<float>(near_enough & far_enough) * (wide * wide);
@@ -60,9 +62,10 @@ void FrameBlock::load(const Readings& readings, std::int32_t first_column, std::
   copy_free(pixels, labels, count, q);
   const std::int32_t full = (count + lanes - 1) / lanes * lanes;
   for (std::int32_t i = count; i < full; ++i) q[i] = 0;
-  const bool metres = readings.gate.fixed_m > 0;
-  const double constant = metres ? 0 : readings.gate.sigmas * readings.gate.inverse_sigma;
-  limits_of(q, full, static_cast<float>(constant), static_cast<float>(readings.gate.fixed_m), limit);
+  const PlaneGate& gate = readings.gate;
+  const double constant = gate.fixed_m > 0 ? 0 : gate.sigmas * gate.inverse_sigma;
+  const double metres = gate.fixed_m > 0 ? gate.fixed_m : gate.sigmas * gate.floor_m;
+  limits_of(q, full, static_cast<float>(constant), static_cast<float>(metres), limit);
 }
 
 std::uint32_t FrameBlock::readings() const noexcept {

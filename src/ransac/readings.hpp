@@ -60,8 +60,9 @@ struct Readings {
       r = {d.x, d.y, d.z, 1 / gate.fixed_m, d};
       return true;
     }
-    const double w = 1 / (gate.sigmas * gate.inverse_sigma);
-    if (!(p.z > 0) || !(w > p.z) || !(p.z > 1e-6)) return false;
+    if (!(p.z > 1e-6)) return false;
+    const double w = 1 / (gate.sigmas * gate.inverse_noise(1 / p.z));
+    if (!(w > p.z)) return false;
     r = {p.x / p.z, p.y / p.z, 1 / p.z, w, p};
     return true;
   }

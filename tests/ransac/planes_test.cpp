@@ -59,6 +59,22 @@ TEST_CASE("Frames and clouds give the planes of the room, with 60 % holes too", 
   }
 }
 
+TEST_CASE("Close to the camera the gate is the floor in metres, for frames and clouds", "[ransac]") {
+  // A wall at 0.4 m, every other pixel 3 mm nearer or farther: far beyond the noise of 1/z, within the floor.
+  scene::Frame wall;
+  for (std::int32_t i = 0; i < scene::size.width * scene::size.height; ++i) {
+    wall.q.push_back(static_cast<float>(1 / (0.4 + (i % 2 == 0 ? 0.003 : -0.003))));
+  }
+  const scene::Cloud cloud = scene::to_cloud(wall);
+  RansacOptions options;
+  options.max_planes = 1;
+  CHECK(scene::find(wall, options).result.found.labelled == wall.q.size());
+  CHECK(scene::find(cloud.view(), options).result.found.labelled == wall.q.size());
+  options.gate.floor_m = 0;
+  CHECK(scene::find(wall, options).result.found.labelled < wall.q.size() * 3 / 4);
+  CHECK(scene::find(cloud.view(), options).result.found.labelled < wall.q.size() * 3 / 4);
+}
+
 TEST_CASE("Counts, labels and figures of the result agree", "[ransac]") {
   Pcg32 random(21);
   const scene::Frame frame = scene::render(scene::room_by_chance(random), scene::sigma, 0.2, random);
