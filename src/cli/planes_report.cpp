@@ -85,7 +85,7 @@ Json json_of(const MethodRun& method, const PlanesRun& run) {
                       {"normal", json_of(plane.plane.normal)},
                       {"distance", plane.plane.distance},
                       {"points", plane.points.value_or(0)},
-                      {"frames", plane.count.value_or(0)}});
+                      {"count", plane.count.value_or(0)}});
   }
   return {{"method", name_of(method.method)},
           {"options", method.reading.map.meta.options},

@@ -66,7 +66,7 @@ constexpr const char* stage = R"(<main>
 <thead><tr><th><input type="checkbox" id="all" checked aria-label="show all planes"></th>
 <th><button value="1">id</button></th><th><button value="2">normal</button></th><th><button
   value="3">size, m</button></th><th><button value="4">points</button></th><th><button
-  value="5">frames</button></th></tr></thead>
+  value="5">sightings</button></th></tr></thead>
 <tbody id="rows"></tbody>
 </table></div>
 )";

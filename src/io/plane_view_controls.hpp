@@ -149,7 +149,7 @@ inline constexpr const char* plane_view_controls = R"js('use strict';
     fact('size', plane.pieces.length === 0 ? 'without a border' : sizeOf(plane) + ' m, ' + fixed(plane.area, 2) + ' m\u00b2'
       + (plane.pieces.length > 1 ? ' in ' + plane.pieces.length + ' pieces' : ''));
     fact('points', plane.points === undefined ? '' : plane.points.toLocaleString('en'));
-    fact('frames', plane.frames === undefined ? '' : String(plane.frames));
+    fact('sightings', plane.frames === undefined ? '' : String(plane.frames));
     fact('seen from', plane.seen && (plane.seen === 'both' ? 'both sides' : 'its ' + plane.seen + ' side'));
     fact('source', plane.source);
   }

@@ -38,8 +38,9 @@ struct MapPlane {
   std::uint32_t id = 0;  ///< unique in the map; found planes count from 1: 0 is "no plane" in label images
   Plane plane;
   std::optional<std::uint64_t> points;  ///< readings that carry it
-  std::optional<std::uint32_t> count;   ///< frames it was seen in
-  std::optional<std::string> source;    ///< the method that found it
+  std::optional<std::uint32_t>
+      count;  ///< planes of frames that became part of it; a frame may see it in pieces
+  std::optional<std::string> source;  ///< the method that found it
   SeenSide seen = SeenSide::unknown;
   std::optional<std::array<double, 10>> covariance;  ///< see covariance_4x4
   std::optional<MapMoments> moments;
