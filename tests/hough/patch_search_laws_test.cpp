@@ -119,8 +119,8 @@ TEST_CASE("patches: small faces in front of a wall are found, down to a thousand
     if (dot(normal, ray) < 0.4) normal = normalized(normal + ray);
     const Plane plane = plane_of(normal, dot(normal, 1.6 * ray));
     const Face face{plane, x, y, x + side, y + side};
-    const Found found = find_with(
-        camera, test::depth_scene(size, camera, {{plane_of({0, 0, 1}, 2.6)}, face}, 1.425e-3, seed + i));
+    const Found found = find_with(camera, test::depth_scene(size, camera, {{plane_of({0, 0, 1}, 2.6)}, face},
+                                                            1.425e-3, seed + static_cast<std::uint64_t>(i)));
     found_faces += test::has(found, plane, 0.07, 0.05, camera) ? 1 : 0;
   }
   INFO("seed " << seed);
