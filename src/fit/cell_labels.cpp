@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "labels_around.hpp"
+
 namespace straightedge::detail {
 namespace {
 
@@ -34,27 +36,6 @@ struct Best {
   }
 };
 
-/// The different planes of the 3x3 cells around one of a coarser level.
-struct Around {
-  std::array<std::uint16_t, 9> labels{};
-  std::size_t count = 0;
-
-  Around(Size size, std::span<const std::uint16_t> of_cells, std::int32_t x, std::int32_t y) noexcept {
-    const std::int32_t left = std::max(x - 1, 0), right = std::min(x + 1, size.width - 1);
-    for (std::int32_t j = std::max(y - 1, 0); j <= std::min(y + 1, size.height - 1); ++j) {
-      const std::uint16_t* row = of_cells.data() + static_cast<std::ptrdiff_t>(j) * size.width;
-      for (std::int32_t i = left; i <= right; ++i) add(row[i]);
-    }
-  }
-  void add(std::uint16_t label) noexcept {
-    if (label == 0 || (count > 0 && labels[count - 1] == label)) return;
-    for (std::size_t k = 0; k + 1 < count; ++k) {
-      if (labels[k] == label) return;
-    }
-    labels[count++] = label;
-  }
-};
-
 /// The labels of one level; a block of 2x2 cells lies in one coarser cell and shares what is around, where
 /// planes are taken for flat.
 struct Level {
@@ -64,11 +45,11 @@ struct Level {
   const CellLabels& labels;
   int level;
 
-  Around around(std::int32_t x, std::int32_t y) const noexcept {
-    if (level + 1 == DepthCells::levels) return Around({}, {}, 0, 0);
-    return Around(cells.size(level + 1), labels[static_cast<std::size_t>(level) + 1], x / 2, y / 2);
+  LabelsAround around(std::int32_t x, std::int32_t y) const noexcept {
+    if (level + 1 == DepthCells::levels) return {};
+    return LabelsAround(cells.size(level + 1), labels[static_cast<std::size_t>(level) + 1], x / 2, y / 2);
   }
-  std::uint16_t label_of(const InverseDepthMoments& cell, const Around& near,
+  std::uint16_t label_of(const InverseDepthMoments& cell, const LabelsAround& near,
                          std::span<const InverseDepthPlane> flat) const noexcept {
     const double noise = gate.inverse_noise(cell.q / cell.n);
     const double unit = cell.n * noise * noise;
@@ -83,7 +64,7 @@ struct Level {
   }
   /// The plane that the coarser cell of a block and all around it have, if the cell fits it so well that no
   /// part of it can be another's; else 0.
-  std::uint16_t inherited(std::int32_t x, std::int32_t y, const Around& near) const noexcept {
+  std::uint16_t inherited(std::int32_t x, std::int32_t y, const LabelsAround& near) const noexcept {
     if (near.count != 1) return 0;
     const std::size_t place = place_of(cells.size(level + 1), x / 2, y / 2);
     const InverseDepthMoments& cell = cells.level(level + 1)[place];
@@ -95,7 +76,7 @@ struct Level {
   }
   void block(std::int32_t x, std::int32_t y) const noexcept {
     const Size size = cells.size(level);
-    const Around near = around(x, y);
+    const LabelsAround near = around(x, y);
     const std::uint16_t given = inherited(x, y, near);
     const std::int32_t side = DepthCells::side << level;
     const double least = least_share * side * side;

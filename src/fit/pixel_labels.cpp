@@ -5,39 +5,20 @@
 #include <algorithm>
 #include <array>
 
+#include "labels_around.hpp"
+
 namespace straightedge::detail {
 namespace {
 
 constexpr std::int32_t side = DepthCells::side;
-// Planes of cells up to two cells away are tried: beyond lies another surface's border.
+// Planes of the cells that touch are tried (labels_around.hpp): beyond lies another surface's border.
 constexpr std::int32_t reach = 1;
-constexpr std::size_t most_around = (2 * reach + 1) * (2 * reach + 1);
 // Cells that are filled at once: so few that a bent plane is flat over them.
 constexpr std::size_t longest_run = 16;
 // The nearest plane is the one beyond doubt when the next is so many deviations further away.
 constexpr double beyond_doubt = 4;
 // Pixels whose 1/z differs by more deviations than this are not of one surface.
 constexpr double same_surface = 8;
-
-/// The different planes of the cells around one.
-struct Around {
-  std::array<std::uint16_t, most_around> labels{};
-  std::size_t count = 0;
-
-  Around(std::span<const std::uint16_t> cell_labels, Size size, std::int32_t x, std::int32_t y) noexcept {
-    for (std::int32_t j = std::max(y - reach, 0); j <= std::min(y + reach, size.height - 1); ++j) {
-      const std::uint16_t* row =
-          cell_labels.data() + static_cast<std::ptrdiff_t>(j) * static_cast<std::ptrdiff_t>(size.width);
-      std::uint16_t last = 0;
-      for (std::int32_t i = std::max(x - reach, 0); i <= std::min(x + reach, size.width - 1); ++i) {
-        if (row[i] == last || row[i] == 0) continue;
-        last = row[i];
-        const auto end = labels.begin() + static_cast<std::ptrdiff_t>(count);
-        if (std::find(labels.begin(), end, last) == end) labels[count++] = last;
-      }
-    }
-  }
-};
 
 struct Mean {
   double u = 0, v = 0, q = 0;
@@ -68,7 +49,8 @@ struct Nearest {
 };
 
 /// Planes in the order of `around`, flat over the cell.
-Nearest nearest(const Mean& at, const Around& around, std::span<const InverseDepthPlane> planes) noexcept {
+Nearest nearest(const Mean& at, const LabelsAround& around,
+                std::span<const InverseDepthPlane> planes) noexcept {
   Nearest best;
   for (std::size_t k = 0; k < around.count; ++k) {
     const double r = at.q - planes[k].at(at.u, at.v);
@@ -101,7 +83,7 @@ struct Pixels {
   const PlaneGate& gate;
   ImageView<std::uint16_t> labels;
 
-  std::uint16_t label(std::int32_t x, std::int32_t y, const Around& around,
+  std::uint16_t label(std::int32_t x, std::int32_t y, const LabelsAround& around,
                       std::span<const InverseDepthPlane> flat) const noexcept {
     const auto q = static_cast<double>(inverse_depth.at(x, y));
     if (!(q > 0)) return 0;
@@ -113,9 +95,9 @@ struct Pixels {
     return found.distance < gate.sigmas * noise ? found.label : std::uint16_t{0};
   }
   /// Every pixel the nearest of the planes around the cell.
-  void choose(std::int32_t left, std::int32_t top, const Around& around,
+  void choose(std::int32_t left, std::int32_t top, const LabelsAround& around,
               std::span<InverseDepthMoments> moments) const noexcept {
-    std::array<InverseDepthPlane, most_around> flat;
+    std::array<InverseDepthPlane, 9> flat;
     for (std::size_t k = 0; k < around.count; ++k) {
       flat[k] = planes[around.labels[k] - 1U].tangent(left + side / 2, top + side / 2);
     }
@@ -238,7 +220,8 @@ void label_pixels(ImageView<const float> inverse_depth, const DepthCells& cells,
         pixels.clear(left, y * side);
         ++x;
       } else if (range.least != range.greatest) {
-        pixels.choose(left, y * side, Around(cell_labels, size, static_cast<std::int32_t>(x), y), moments);
+        pixels.choose(left, y * side, LabelsAround(size, cell_labels, static_cast<std::int32_t>(x), y),
+                      moments);
         ++x;
       } else {
         std::size_t end = x + 1;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "ransac/frame_block.hpp"
 
+#include "ransac/fold.hpp"
+
 namespace straightedge::ransac {
 namespace {
 
@@ -10,14 +12,6 @@ constexpr std::int32_t lanes = FrameBlock::lanes;
 struct LaneSums {
   float n[lanes], u[lanes], uu[lanes], r[lanes], ur[lanes], rr[lanes];
 };
-
-double fold(const float (&s)[lanes]) noexcept {
-  double sums[lanes];
-  for (std::int32_t l = 0; l < lanes; ++l) sums[l] = static_cast<double>(s[l]);
-  for (std::int32_t half = lanes / 2; half > 0; half /= 2)
-    for (std::int32_t l = 0; l < half; ++l) sums[l] += sums[l + half];
-  return sums[0];
-}
 
 void copy_free(const float* pixels, const std::uint16_t* labels, std::int32_t count,
                float* __restrict q) noexcept {

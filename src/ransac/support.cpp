@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "ransac/support.hpp"
 
+#include "ransac/fold.hpp"
+
 #include <cstring>
 
 namespace straightedge::ransac {
@@ -76,12 +78,6 @@ struct LaneSums {
   float n[cell_lanes], u[cell_lanes], v[cell_lanes], uu[cell_lanes], uv[cell_lanes], vv[cell_lanes],
       r[cell_lanes], ur[cell_lanes], vr[cell_lanes], rr[cell_lanes], ww[cell_lanes];
 };
-
-double fold(const float (&s)[cell_lanes]) noexcept {
-  double d[cell_lanes];
-  for (std::int32_t l = 0; l < cell_lanes; ++l) d[l] = static_cast<double>(s[l]);
-  return ((d[0] + d[4]) + (d[2] + d[6])) + ((d[1] + d[5]) + (d[3] + d[7]));
-}
 
 /// Adds the marked cells of a group; u and v counted from (u0, v0).
 void add_group(const CellRow& row, std::int32_t i, const std::uint8_t* core, const FloatPlane& p, float u0,

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "straightedge/image.hpp"
+
+namespace straightedge::detail {
+
+/// The different planes of a cell and the eight around it, in the order of rows.
+struct LabelsAround {
+  std::array<std::uint16_t, 9> labels{};
+  std::size_t count = 0;
+
+  LabelsAround() noexcept = default;
+  LabelsAround(Size size, std::span<const std::uint16_t> of_cells, std::int32_t x, std::int32_t y) noexcept {
+    const std::int32_t left = std::max(x - 1, 0), right = std::min(x + 1, size.width - 1);
+    for (std::int32_t j = std::max(y - 1, 0); j <= std::min(y + 1, size.height - 1); ++j) {
+      const std::uint16_t* row = of_cells.data() + static_cast<std::ptrdiff_t>(j) * size.width;
+      for (std::int32_t i = left; i <= right; ++i) add(row[i]);
+    }
+  }
+
+ private:
+  void add(std::uint16_t label) noexcept {
+    if (label == 0 || (count > 0 && labels[count - 1] == label)) return;
+    for (std::size_t k = 0; k + 1 < count; ++k) {
+      if (labels[k] == label) return;
+    }
+    labels[count++] = label;
+  }
+};
+
+}  // namespace straightedge::detail
