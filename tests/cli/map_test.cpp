@@ -4,16 +4,11 @@
 #include "run_program.hpp"
 #include "straightedge/host/map_file.hpp"
 #include "support/catch.hpp"
+#include "support/replaced.hpp"
 
 using namespace straightedge;
 
 namespace {
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  INFO(what);
-  REQUIRE(text.find(what) != std::string::npos);
-  return text.replace(text.find(what), what.size(), by);
-}
 
 std::string good() {
   return *line_map_to_xml(small_line_map());

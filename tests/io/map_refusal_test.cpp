@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "random_line_map.hpp"
 #include "straightedge/host/map_file.hpp"
+#include "support/replaced.hpp"
 #include "temporary_folder.hpp"
 
 using namespace straightedge;
@@ -16,11 +17,7 @@ std::string good() {
 }
 
 std::string replaced(const std::string& what, const std::string& by) {
-  std::string text = good();
-  const std::size_t at = text.find(what);
-  INFO(what);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, what.size(), by);
+  return ::replaced(good(), what, by);
 }
 
 std::string refusal_of(const std::string& xml) {
@@ -141,7 +138,8 @@ TEST_CASE("lines and segments that break a rule are named by id and line") {
         "m.xml:6: line 3: `free` is none of +, - and both");
   CHECK(refusal_of(replaced("var-theta=\"2.9e-06\"", "var-theta=\"-1\"")) ==
         "m.xml:6: line 3: the covariance is not positive semi-definite: a variance is negative");
-  CHECK(refusal_of(replaced("var-theta=\"2.9e-06\" ", "")) == "m.xml:7: line 3, covariance: has no `var-theta`");
+  CHECK(refusal_of(replaced("var-theta=\"2.9e-06\" ", "")) ==
+        "m.xml:7: line 3, covariance: has no `var-theta`");
   CHECK(refusal_of(replaced("y1=\"101.25\" pixels=\"30\"", "y1=\"101.5\"")) ==
         "m.xml:9: line 3, segment 11: an end lies 0.25 off its line");
   CHECK(refusal_of(replaced("x0=\"120.5\"", "x0=\"-120.5\"")) ==

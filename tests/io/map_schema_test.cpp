@@ -6,18 +6,12 @@
 #include "random_line_map.hpp"
 #include "schema_check.hpp"
 #include "straightedge/host/map_file.hpp"
+#include "support/replaced.hpp"
 #include "temporary_folder.hpp"
 
 using namespace straightedge;
 
-namespace {
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  REQUIRE(text.find(what) != std::string::npos);
-  return text.replace(text.find(what), what.size(), by);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("what is written keeps the schema") {
   if (!xmllint_is_there()) return;

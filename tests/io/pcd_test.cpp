@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "cloud_maker.hpp"
 #include "straightedge/host/cloud.hpp"
+#include "support/replaced.hpp"
 #include "temporary_folder.hpp"
 
 using namespace straightedge;
@@ -25,13 +26,6 @@ std::string refusal_of(const std::string& bytes) {
   REQUIRE_FALSE(cloud);
   CHECK(cloud.failure().problem == Problem::bad_content);
   return cloud.failure().sentence;
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t at = text.find(what);
-  INFO(what);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, what.size(), by);
 }
 
 /// The cloud is what the maker says, x y z being values `first` and on of each point.

@@ -7,6 +7,7 @@
 #include "random_plane_map.hpp"
 #include "straightedge/host/map_file.hpp"
 #include "straightedge/host/plane_map_file.hpp"
+#include "support/replaced.hpp"
 #include "temporary_folder.hpp"
 
 using namespace straightedge;
@@ -18,11 +19,7 @@ std::string good() {
 }
 
 std::string replaced(const std::string& what, const std::string& by) {
-  std::string text = good();
-  const std::size_t at = text.find(what);
-  INFO(what);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, what.size(), by);
+  return ::replaced(good(), what, by);
 }
 
 std::string refusal_of(const std::string& xml) {

@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "straightedge/host/image_file.hpp"
+#include "support/replaced.hpp"
 #include "temporary_folder.hpp"
 
 using namespace straightedge;
@@ -18,10 +19,7 @@ const std::string good =
     "free_thresh: 0.196\n";
 
 std::string replaced(const std::string& what, const std::string& by) {
-  std::string text = good;
-  const std::size_t at = text.find(what);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, what.size(), by);
+  return ::replaced(good, what, by);
 }
 
 void refused(const std::string& text, const std::string& sentence) {
