@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 Straightedge contributors
 # SPDX-License-Identifier: MIT
 #
-# Makes the pictures of docs/planes-from-depth.md and docs/experiment-planes.md anew:
+# Makes the pictures of the pages on planes anew:
 # scripts/make_plane_pictures.sh [PROGRAM [EXAMPLE]], EXAMPLE being examples/03_planes as built.
 # Needs rsvg-convert (librsvg2-bin) and convert (imagemagick), which only crop, scale and count colours.
 set -euo pipefail
@@ -43,4 +43,12 @@ for method in ransac hough; do
     small "$work/corner-$frame-$method-labels.png" "corner-$frame-$method.png"
   done
 done
+for method in ransac hough; do
+  "$straightedge" explain fixtures/depth/room/depth/03.png --camera fixtures/depth/room/camera.json --method "$method" \
+    -o "$work/explain-$method" --quiet
+done
+small "$work/explain-ransac/best-triple.png" ransac-triple.png
+small "$work/explain-ransac/hypotheses.png" ransac-hypotheses.png -resize "640x>"
+small "$work/explain-hough/accumulator.png" hough-accumulator.png -resize "640x>"
+small "$work/explain-hough/patches.png" hough-patches.png
 du -ch "$to"/*.png | tail -n 1
