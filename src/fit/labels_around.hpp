@@ -19,8 +19,8 @@ struct LabelsAround {
 
   LabelsAround() noexcept = default;
   LabelsAround(Size size, std::span<const std::uint16_t> of_cells, std::int32_t x, std::int32_t y) noexcept {
-    const std::int32_t left = std::max(x - 1, 0), right = std::min(x + 1, size.width - 1);
-    for (std::int32_t j = std::max(y - 1, 0); j <= std::min(y + 1, size.height - 1); ++j) {
+    const std::int32_t left = std::max<std::int32_t>(x - 1, 0), right = std::min(x + 1, size.width - 1);
+    for (std::int32_t j = std::max<std::int32_t>(y - 1, 0); j <= std::min(y + 1, size.height - 1); ++j) {
       const std::uint16_t* row = of_cells.data() + static_cast<std::ptrdiff_t>(j) * size.width;
       for (std::int32_t i = left; i <= right; ++i) add(row[i]);
     }

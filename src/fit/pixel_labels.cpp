@@ -30,8 +30,8 @@ Mean mean_of_surface(ImageView<const float> inverse_depth, std::int32_t x, std::
   const auto centre = static_cast<double>(inverse_depth.at(x, y));
   double n = 0;
   Mean sum;
-  for (std::int32_t j = std::max(y - 1, 0); j <= std::min(y + 1, inverse_depth.height - 1); ++j) {
-    for (std::int32_t i = std::max(x - 1, 0); i <= std::min(x + 1, inverse_depth.width - 1); ++i) {
+  for (std::int32_t j = std::max<std::int32_t>(y - 1, 0); j <= std::min(y + 1, inverse_depth.height - 1); ++j) {
+    for (std::int32_t i = std::max<std::int32_t>(x - 1, 0); i <= std::min(x + 1, inverse_depth.width - 1); ++i) {
       const auto q = static_cast<double>(inverse_depth.at(i, j));
       if (!(q > 0) || q - centre > limit || centre - q > limit) continue;
       n += 1;
@@ -176,7 +176,7 @@ void range_rows(Size size, std::span<const std::uint16_t> labels, std::span<std:
     const std::uint16_t* row = labels.data() + start;
     for (std::int32_t x = 0; x < size.width; ++x) {
       Range range;
-      for (std::int32_t i = std::max(x - reach, 0); i <= std::min(x + reach, size.width - 1); ++i) {
+      for (std::int32_t i = std::max<std::int32_t>(x - reach, 0); i <= std::min(x + reach, size.width - 1); ++i) {
         range.add({row[i] == 0 ? std::uint16_t{0xFFFF} : row[i], row[i]});
       }
       ranges[static_cast<std::size_t>(start + x)] = pack(range);
@@ -188,7 +188,7 @@ void range_rows(Size size, std::span<const std::uint16_t> labels, std::span<std:
 void range_column(Size size, std::int32_t y, std::span<const std::int32_t> rows,
                   std::span<std::int32_t> ranges) noexcept {
   const auto width = static_cast<std::size_t>(size.width);
-  const std::int32_t top = std::max(y - reach, 0), bottom = std::min(y + reach, size.height - 1);
+  const std::int32_t top = std::max<std::int32_t>(y - reach, 0), bottom = std::min(y + reach, size.height - 1);
   for (std::size_t x = 0; x < width; ++x) {
     Range range;
     for (std::int32_t j = top; j <= bottom; ++j) {
