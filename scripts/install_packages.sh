@@ -4,14 +4,16 @@
 #
 # Installs the Debian or Ubuntu packages that are missing here: install_packages.sh [program|tests]
 #   program  what the library and the program are built from
-#   tests    that, and what the tests, examples, benchmarks and the second compiler need (default)
+#   tests    that, and what the tests, examples, benchmarks, the second compiler and the emulated boards
+#            need (default)
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libtinyxml2-dev libstb-dev libpng-dev
   libyaml-cpp-dev libcli11-dev nlohmann-json3-dev)
 case "${1:-tests}" in
   program) ;;
-  tests) packages+=(binutils ccache catch2 clang libbenchmark-dev libxml2-utils) ;;
+  tests) packages+=(binutils ccache catch2 clang libbenchmark-dev libxml2-utils
+    gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib libnewlib-arm-none-eabi qemu-system-arm) ;;
   *)
     echo "install_packages.sh: '$1' is neither 'program' nor 'tests'" >&2
     exit 2

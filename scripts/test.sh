@@ -4,7 +4,8 @@
 #
 # Sets up a fresh Debian 12 or Ubuntu 24.04 machine, builds everything and runs the tests.
 #   scripts/test.sh         release build with all tests; again under the address and undefined
-#                           behaviour sanitizers; clang with warnings as errors and the core's tests
+#                           behaviour sanitizers; clang with warnings as errors and the core's tests; the
+#                           core on emulated microcontrollers
 #   scripts/test.sh --fast  the release build with all tests alone
 #   scripts/test.sh --all   the ordinary run, then a debug build with GCC's warnings as errors and all
 #                           tests of clang's build
@@ -17,7 +18,7 @@ for argument in "$@"; do
     --fast) extent=fast ;;
     --all) extent=all ;;
     -h | --help)
-      sed -n '5,11s/^# \{0,1\}//p' "$0"
+      sed -n '5,12s/^# \{0,1\}//p' "$0"
       exit 0
       ;;
     *)
@@ -79,6 +80,9 @@ if [[ $extent != fast ]]; then
 fi
 if [[ $extent == ordinary ]]; then
   stage clang "straightedge straightedge_program core_tests" --label-regex '^core$'
+fi
+if [[ $extent != fast ]]; then
+  stage firmware all
 fi
 if [[ $extent == all ]]; then
   stage clang all --label-exclude install
