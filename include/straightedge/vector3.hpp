@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "straightedge/square_root.hpp"
+
 namespace straightedge {
 
 /// A point or a direction in space.
@@ -33,7 +35,7 @@ constexpr double squared_length(const Vector3& a) noexcept {
   return dot(a, a);
 }
 inline double length(const Vector3& a) noexcept {
-  return __builtin_sqrt(dot(a, a));
+  return square_root(dot(a, a));
 }
 /// Unit length; the null vector stays what it is.
 inline Vector3 normalized(const Vector3& a) noexcept {

@@ -9,6 +9,7 @@
 #include "pixel_labels.hpp"
 #include "plane_shape.hpp"
 #include "plane_surfaces.hpp"
+#include "straightedge/square_root.hpp"
 
 namespace straightedge {
 namespace {
@@ -233,7 +234,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
     const ProposedPlane& candidate = candidates_[order[i]];
     InverseDepthFit fit;
     FoundPlane plane;
-    const double sigma = m.n > 0 ? noise.inverse_noise(m.q / m.n) * __builtin_sqrt(options_.noise_pixels) : 0;
+    const double sigma = m.n > 0 ? noise.inverse_noise(m.q / m.n) * square_root(options_.noise_pixels) : 0;
     if (m.n < min_pixels_ || fit_inverse_depth(m, sigma, fit) != Status::ok ||
         to_plane_fit(fit, sigma, depth.camera, plane.fit) != Status::ok) {
       continue;

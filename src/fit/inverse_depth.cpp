@@ -3,6 +3,7 @@
 #include "straightedge/inverse_depth.hpp"
 
 #include "covariance3.hpp"
+#include "straightedge/square_root.hpp"
 #include "tangents.hpp"
 
 namespace straightedge {
@@ -50,7 +51,7 @@ Status fit_inverse_depth(const InverseDepthMoments& moments, double sigma, Inver
   found.mean_u = mean_u;
   found.mean_v = mean_v;
   found.n = m.n;
-  found.rms = left > 0 ? __builtin_sqrt(left / m.n) : 0;
+  found.rms = left > 0 ? square_root(left / m.n) : 0;
   fit = found;
   return Status::ok;
 }

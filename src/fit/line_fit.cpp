@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/line_fit.hpp"
 
+#include "straightedge/square_root.hpp"
 #include "straightedge/trigonometry.hpp"
 
 namespace straightedge {
@@ -41,7 +42,7 @@ Status fit_line(const LineMoments& moments, LineFit& fit) noexcept {
   fit.centroid_y = my;
   fit.var_theta = 1 / along;
   fit.var_offset = 1 / moments.weight;
-  fit.residual = across > 0 ? __builtin_sqrt(across / moments.weight) : 0;
+  fit.residual = across > 0 ? square_root(across / moments.weight) : 0;
   return Status::ok;
 }
 

@@ -3,6 +3,7 @@
 #include "straightedge/plane_fit.hpp"
 
 #include "covariance3.hpp"
+#include "straightedge/square_root.hpp"
 #include "straightedge/symmetric_eigen.hpp"
 #include "tangents.hpp"
 
@@ -47,7 +48,7 @@ Status fit_plane(const PlaneMoments& moments, PlaneFit& fit) noexcept {
                       var_v, mv * var_v, 1 / moments.weight + mu * mu * var_u + mv * mv * var_v};
   found.weight = moments.weight;
   found.count = moments.count;
-  found.rms = __builtin_sqrt(least / moments.weight);
+  found.rms = square_root(least / moments.weight);
   fit = found;
   return Status::ok;
 }

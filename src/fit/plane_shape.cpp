@@ -6,6 +6,7 @@
 #include <array>
 
 #include "straightedge/detail/quadratic_surface.hpp"
+#include "straightedge/square_root.hpp"
 
 namespace straightedge::detail {
 namespace {
@@ -84,7 +85,7 @@ struct Bend {
 /// Largest absolute eigenvalue of [2a b; b 2c], the second derivatives of a uu + b uv + c vv.
 double largest_curvature(double a, double b, double c) noexcept {
   const double mean = a + c;
-  const double spread = __builtin_sqrt((a - c) * (a - c) + b * b);
+  const double spread = square_root((a - c) * (a - c) + b * b);
   return (mean < 0 ? -mean : mean) + spread;
 }
 
@@ -92,7 +93,7 @@ Bend measure_bend(const DepthCells& cells, std::span<const std::int32_t> list, c
                   const InverseDepthMoments& sum) noexcept {
   const double mean_u = sum.u / sum.n, mean_v = sum.v / sum.n;
   const double spread = (sum.uu + sum.vv) / sum.n - mean_u * mean_u - mean_v * mean_v;
-  const double scale = __builtin_sqrt(spread > 1 ? spread : 1.0);
+  const double scale = square_root(spread > 1 ? spread : 1.0);
   QuadraticSums sums;
   const std::size_t step = 1 + list.size() / enough_cells;
   for (std::size_t i = 0; i < list.size(); i += step) {
@@ -102,7 +103,7 @@ Bend measure_bend(const DepthCells& cells, std::span<const std::int32_t> list, c
   }
   QuadraticFit fit;
   if (!fit_quadratic(sums, 0, fit)) return {};  // too few cells, or all in a row
-  return {__builtin_sqrt(fit.bend_squares / sums.n),
+  return {square_root(fit.bend_squares / sums.n),
           largest_curvature(fit.coefficients[3], fit.coefficients[4], fit.coefficients[5]) / (scale * scale)};
 }
 
@@ -136,7 +137,7 @@ PlaneShape plane_shape(const DepthCells& cells, std::span<std::uint16_t> cell_la
   const double noise = options.gate.inverse_noise(sum.q / sum.n);
   const Bend found = measure_bend(cells, memory.list.first(solid), surface.plane, sum);
   const double bend = found.rms / noise;
-  const double significance = bend * __builtin_sqrt(sum.n / (3 * options.noise_pixels));
+  const double significance = bend * square_root(sum.n / (3 * options.noise_pixels));
   // A sphere or cylinder of radius r has second derivative 1/(r f²) in 1/z, at any distance.
   const double focal_square = camera.fx * camera.fx;
   if (!(found.curvature * focal_square * largest_radius_m > 1)) return PlaneShape::flat;

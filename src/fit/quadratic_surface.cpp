@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/detail/quadratic_surface.hpp"
 
+#include "straightedge/square_root.hpp"
+
 namespace straightedge::detail {
 namespace {
 
@@ -22,7 +24,7 @@ bool decompose(std::array<double, terms*(terms + 1) / 2>& m) noexcept {
         m[place(i, j)] = sum / m[place(j, j)];
       } else {
         if (!(sum > 1e-12 * before)) return false;  // what is left is rounding
-        m[place(i, i)] = __builtin_sqrt(sum);
+        m[place(i, i)] = square_root(sum);
       }
     }
   }

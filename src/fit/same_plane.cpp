@@ -4,6 +4,7 @@
 
 #include "covariance3.hpp"
 #include "straightedge/plane_fit.hpp"
+#include "straightedge/square_root.hpp"
 #include "straightedge/trigonometry.hpp"
 #include "tangents.hpp"
 
@@ -50,7 +51,7 @@ void average(const PlaneFit& a, const PlaneFit& b, PlaneFit& fused) noexcept {
   fused.count = a.count + b.count;
   const double share = fused.weight > 0 ? b.weight / fused.weight : 0.5;
   fused.centroid = (1 - share) * a.centroid + share * b.centroid;
-  fused.rms = __builtin_sqrt((1 - share) * a.rms * a.rms + share * b.rms * b.rms);
+  fused.rms = square_root((1 - share) * a.rms * a.rms + share * b.rms * b.rms);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "straightedge/square_root.hpp"
+
 namespace straightedge {
 namespace {
 
@@ -38,9 +40,9 @@ struct Jacobi {
       return;
     }
     const double cotangent = (a[q][q] - a[p][p]) / (2 * pq);  // of twice the angle
-    const double root = __builtin_sqrt(cotangent * cotangent + 1);
+    const double root = square_root(cotangent * cotangent + 1);
     const double t = cotangent < 0 ? 1 / (cotangent - root) : 1 / (cotangent + root);
-    const double c = 1 / __builtin_sqrt(t * t + 1);
+    const double c = 1 / square_root(t * t + 1);
     const double s = t * c;
     a[p][p] -= t * pq;
     a[q][q] += t * pq;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hough/vote_bound.hpp"
 #include "straightedge/hough_randomized.hpp"
+#include "straightedge/square_root.hpp"
 
 namespace straightedge {
 double pair_hit_probability(const PairDrawing& drawing, const HoughOptions& options) noexcept {
@@ -17,7 +18,7 @@ double pair_hit_probability(const PairDrawing& drawing, const HoughOptions& opti
 double pair_vote_spread(Size size, const HoughOptions& options) noexcept {
   const double width = size.width;
   const double height = size.height;
-  const double half_diagonal = __builtin_sqrt(width * width + height * height) / 2;
+  const double half_diagonal = square_root(width * width + height * height) / 2;
   return (2 + 1 / (options.pair_min_distance * options.theta_step)) *
          (2 + half_diagonal * options.theta_step / options.rho_step);
 }

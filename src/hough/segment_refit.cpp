@@ -3,6 +3,7 @@
 #include "straightedge/segment_refit.hpp"
 
 #include "corridor.hpp"
+#include "straightedge/square_root.hpp"
 #include "straightedge/trigonometry.hpp"
 
 namespace straightedge {
@@ -138,7 +139,7 @@ bool valid(const RefitOptions& o) noexcept {
 Corridor corridor_of(const HoughSegment& rough, const RefitOptions& options) noexcept {
   const double dx = rough.x1 - rough.x0;
   const double dy = rough.y1 - rough.y0;
-  const double length = __builtin_sqrt(dx * dx + dy * dy);
+  const double length = square_root(dx * dx + dy * dy);
   Corridor strip;
   strip.px = 0.5 * (rough.x0 + rough.x1);
   strip.py = 0.5 * (rough.y0 + rough.y1);

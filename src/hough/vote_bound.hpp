@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "straightedge/square_root.hpp"
+
 namespace straightedge::hough {
 
 /// ln x for x >= 1: halved until at most 2, then the series of 2 artanh((x - 1) / (x + 1)).
@@ -18,7 +20,7 @@ constexpr double natural_logarithm(double x) noexcept {
 /// chance below 1 − confidence.
 inline double mean_votes_needed(double confidence, double threshold) noexcept {
   const double k = natural_logarithm(1 / (1 - confidence));
-  const double root = (__builtin_sqrt(2 * k) + __builtin_sqrt(2 * k + 4 * threshold)) / 2;
+  const double root = (square_root(2 * k) + square_root(2 * k + 4 * threshold)) / 2;
   return root * root;
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "straightedge/octree_point.hpp"
+#include "straightedge/square_root.hpp"
 #include "straightedge/vector3.hpp"
 
 namespace straightedge::octree {
@@ -30,7 +31,7 @@ class FarFilter {
         loss_(0x1p-23 * (magnitude(from.x) + magnitude(from.y) + magnitude(from.z))) {}
 
   void set_limit(double squared) noexcept {
-    const double raised = __builtin_sqrt(squared) * (1 + 0x1p-20) + loss_;
+    const double raised = square_root(squared) * (1 + 0x1p-20) + loss_;
     const double limit = raised * raised + 0x1p-120;
     constexpr float infinity = std::numeric_limits<float>::infinity();
     limit_ = limit < 0x1p127 ? static_cast<float>(limit) : infinity;

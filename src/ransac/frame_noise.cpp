@@ -3,6 +3,7 @@
 #include "ransac/frame_noise.hpp"
 
 #include "ransac/window.hpp"
+#include "straightedge/square_root.hpp"
 
 namespace straightedge::ransac {
 namespace {
@@ -35,7 +36,7 @@ double trimmed_rms(const Window& w, const InverseDepthPlane& plane) noexcept {
     mean = sum / inside;
     limit = 9 * mean;
   }
-  return __builtin_sqrt(mean) * static_cast<double>(widening);
+  return square_root(mean) * static_cast<double>(widening);
 }
 
 }  // namespace

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "ransac/support.hpp"
 
-#include "ransac/fold.hpp"
-
 #include <cstring>
+
+#include "ransac/fold.hpp"
+#include "straightedge/square_root.hpp"
 
 namespace straightedge::ransac {
 namespace {
@@ -175,7 +176,7 @@ bool refit_core(const Lattice& lattice, std::span<const float> q, const CellBox&
   const CoreSums sums = sum_core(lattice, q, before, box, row_step);
   if (fit_inverse_depth(sums.moments, sigma, fit) != Status::ok) return false;
   fit.plane = {before.a + fit.plane.a, before.b + fit.plane.b, before.c + fit.plane.c};
-  rms_gates = fit.rms * __builtin_sqrt(sums.ww / sums.moments.n);
+  rms_gates = fit.rms * square_root(sums.ww / sums.moments.n);
   return true;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/hough_accumulator_directions.hpp"
 #include "straightedge/rounding.hpp"
+#include "straightedge/square_root.hpp"
 #include "straightedge/trigonometry.hpp"
 
 namespace straightedge {
@@ -10,7 +11,7 @@ namespace {
 /// sin phi where cos phi = z.
 double radius_at(double z) noexcept {
   const double squared = 1 - z * z;
-  return squared > 0 ? __builtin_sqrt(squared) : 0;
+  return squared > 0 ? square_root(squared) : 0;
 }
 
 double polar_angle(double z) noexcept {
@@ -20,7 +21,7 @@ double polar_angle(double z) noexcept {
 /// How far the azimuth can turn within an angle of a point at that radius from the axis; pi: to everywhere.
 double azimuth_reach(double sine_of_angle, double radius) noexcept {
   if (radius <= sine_of_angle) return pi;
-  return arc_tangent(sine_of_angle, __builtin_sqrt(radius * radius - sine_of_angle * sine_of_angle));
+  return arc_tangent(sine_of_angle, square_root(radius * radius - sine_of_angle * sine_of_angle));
 }
 
 template <HoughRowLayout Layout>

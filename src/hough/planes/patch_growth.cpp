@@ -3,6 +3,7 @@
 #include "hough/planes/patch_growth.hpp"
 
 #include "hough/planes/patch_votes.hpp"
+#include "straightedge/square_root.hpp"
 
 namespace straightedge::hough {
 namespace {
@@ -80,7 +81,7 @@ bool agrees(const PatchScene& scene, const HoughPatch& patch, const InverseDepth
 
 bool fit_sum(const PatchScene& scene, const InverseDepthMoments& sum, InverseDepthFit& fit) noexcept {
   const double sigma =
-      scene.gate.inverse_noise(sum.q / sum.n) * __builtin_sqrt(scene.options.shared_noise_pixels);
+      scene.gate.inverse_noise(sum.q / sum.n) * square_root(scene.options.shared_noise_pixels);
   return fit_inverse_depth(sum, sigma, fit) == Status::ok;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "hough/planes/patch_tree.hpp"
 
+#include "straightedge/square_root.hpp"
+
 namespace straightedge::hough {
 namespace {
 
@@ -103,7 +105,7 @@ bool Tree::planar(const Square& s, const InverseDepthMoments& m) noexcept {
   const double sigma = scene_.gate.inverse_noise(c.q);
   const double variance = (c.qq - a * c.uq - b * c.vq) / c.n;
   const double shared = scene_.options.shared_noise_pixels;
-  const double slack = residual_sigmas * __builtin_sqrt(shared / c.n);
+  const double slack = residual_sigmas * square_root(shared / c.n);
   if (!(variance <= sigma * sigma * (1 + slack))) return false;
   const InverseDepthPlane plane{a, b, c.q - a * c.u - b * c.v};
   const double noise = sigma * sigma * shared;
@@ -139,7 +141,7 @@ bool Tree::parts_agree(const Square& s, const InverseDepthPlane& plane, double n
     ++parts;
   }
   const double freedom = parts > 4 ? parts - 3 : 1;
-  return sum <= freedom + parts_sigmas * __builtin_sqrt(2 * freedom);
+  return sum <= freedom + parts_sigmas * square_root(2 * freedom);
 }
 
 }  // namespace

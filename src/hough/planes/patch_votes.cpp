@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "hough/planes/patch_votes.hpp"
 
+#include "straightedge/square_root.hpp"
 #include "straightedge/trigonometry.hpp"
 
 namespace straightedge::hough {
@@ -25,7 +26,7 @@ struct Symmetric {
   }
   double largest_eigenvalue() const noexcept {
     const double half = (uu - vv) / 2;
-    return (uu + vv) / 2 + __builtin_sqrt(half * half + uv * uv);
+    return (uu + vv) / 2 + square_root(half * half + uv * uv);
   }
 };
 
@@ -69,7 +70,7 @@ void shape_vote(const PatchScene& scene, HoughPatch& patch) noexcept {
   covariance.vv += least * least;
   const Symmetric p = covariance.inverse();
   patch.precision = {p.uu, p.uv, p.vv};
-  patch.reach_rad = reach * __builtin_sqrt(covariance.largest_eigenvalue());
+  patch.reach_rad = reach * square_root(covariance.largest_eigenvalue());
   if (patch.reach_rad > 1.5) patch.reach_rad = 1.5;
 }
 
@@ -78,7 +79,7 @@ void cast_vote(const HoughPatch& patch, HoughAccumulator& accumulator) noexcept 
   const auto& [uu, uv, vv] = patch.precision;
   // The kernel's integral over the tangent plane is 2 pi sqrt(det of the covariance), a cell's area 4 pi by
   // their number.
-  const double share = 2 * __builtin_sqrt(uu * vv - uv * uv) / directions.size();
+  const double share = 2 * square_root(uu * vv - uv * uv) / directions.size();
   const double scale = hough_patch_vote * patch.moments.n * share;
   directions.for_near(patch.space.normal, patch.reach_rad, [&](std::int32_t cell) noexcept {
     const Vector3& n = directions.centre(cell);
