@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+namespace straightedge {
+
+/// Numbers of four neighbouring pixels in two words, two 16-bit numbers in each: what a processor without
+/// vectors can add, and multiply by a small number, two at a time. Sums must stay below 2^16.
+struct FourPixels {
+  std::uint32_t even = 0;  ///< pixel 0 in the low half, pixel 2 in the high half
+  std::uint32_t odd = 0;   ///< pixels 1 and 3
+
+  static FourPixels load(const std::uint8_t* pixels) noexcept {
+    std::uint32_t word = 0;
+    std::memcpy(&word, pixels, sizeof word);
+    if constexpr (std::endian::native == std::endian::big) word = __builtin_bswap32(word);
+    return {word & 0x00FF00FFU, (word >> 8U) & 0x00FF00FFU};
+  }
+
+  FourPixels operator+(FourPixels other) const noexcept { return {even + other.even, odd + other.odd}; }
+  FourPixels operator*(std::uint32_t factor) const noexcept { return {even * factor, odd * factor}; }
+
+  void store(std::uint16_t* numbers) const noexcept {
+    numbers[0] = static_cast<std::uint16_t>(even);
+    numbers[1] = static_cast<std::uint16_t>(odd);
+    numbers[2] = static_cast<std::uint16_t>(even >> 16U);
+    numbers[3] = static_cast<std::uint16_t>(odd >> 16U);
+  }
+  void add_to(std::uint16_t* numbers) const noexcept {
+    numbers[0] = static_cast<std::uint16_t>(numbers[0] + even);
+    numbers[1] = static_cast<std::uint16_t>(numbers[1] + odd);
+    numbers[2] = static_cast<std::uint16_t>(numbers[2] + (even >> 16U));
+    numbers[3] = static_cast<std::uint16_t>(numbers[3] + (odd >> 16U));
+  }
+};
+
+}  // namespace straightedge
