@@ -42,29 +42,22 @@ struct CannyRowKernels {
   void (*blur_along)(const std::uint16_t* sums, const std::uint16_t* taps, std::int32_t tap_count,
                      std::uint8_t* blurred, std::int32_t width) noexcept;
 
-  /// Sobel's operator of side 3, 5 and 7 on as many rows, with side / 2 neighbours on both sides; side 7 in
-  /// sixteenths, as `GradientScale::sixteenth`. `scratch` is room for 2 (width + side − 1) numbers, unused
-  /// by side 3.
-  using Sobel = void (*)(const std::uint8_t* const* rows, std::int16_t* scratch, std::int16_t* dx,
-                         std::int16_t* dy, std::int32_t width) noexcept;
-  Sobel sobel_3;
-  Sobel sobel_5;
-  Sobel sobel_7;
-
-  /// |dx| + |dy|: at most 24 480 here.
-  void (*magnitude_l1)(const std::int16_t* dx, const std::int16_t* dy, std::uint16_t* magnitude,
-                       std::int32_t width) noexcept;
-
-  /// dx² + dy²: below 2^29 here.
-  void (*magnitude_l2)(const std::int16_t* dx, const std::int16_t* dy, std::uint32_t* magnitude,
-                       std::int32_t width) noexcept;
+  /// Sobel's operator of side 3, 5 and 7 on as many rows, each with side / 2 neighbours on both sides, and
+  /// the magnitude: |dx| + |dy|, at most 24 480, or dx² + dy², below 2^29. Side 7 in sixteenths, as
+  /// `GradientScale::sixteenth`. `scratch` is room for 2 (width + side − 1) numbers; null for side 3.
+  template <class M>
+  using Gradient = void (*)(const std::uint8_t* const* rows, std::int16_t* scratch, std::int16_t* dx,
+                            std::int16_t* dy, M* magnitude, std::int32_t width) noexcept;
+  Gradient<std::uint16_t> gradient_l1[3];
+  Gradient<std::uint32_t> gradient_l2[3];
 
   /// Suppression with the double threshold: a row of `EdgeClass` (suppress.hpp). Gives back how many pixels
   /// are strong. Negative thresholds act like 0.
-  std::uint32_t (*suppress_l1)(const MagnitudeRows<std::uint16_t>& rows, MagnitudeThresholds limits,
-                               std::uint8_t* classes, std::int32_t width) noexcept;
-  std::uint32_t (*suppress_l2)(const MagnitudeRows<std::uint32_t>& rows, MagnitudeThresholds limits,
-                               std::uint8_t* classes, std::int32_t width) noexcept;
+  template <class M>
+  using Suppress = std::uint32_t (*)(const MagnitudeRows<M>& rows, MagnitudeThresholds limits,
+                                     std::uint8_t* classes, std::int32_t width) noexcept;
+  Suppress<std::uint16_t> suppress_l1;
+  Suppress<std::uint32_t> suppress_l2;
 };
 
 /// Portable loops; what every other table is compared with.

@@ -83,7 +83,7 @@ class CannyRows {
     detail::CannyRowMemory rows;
     std::span<std::uint32_t> worklist;
     std::span<std::uint8_t> class_row;  ///< one byte a pixel, before it is packed
-    std::span<std::uint8_t> class_bits;
+    std::span<std::uint32_t> class_words;
 
     static constexpr Memory take(Arena& arena, Size size, const CannyOptions& options,
                                  const CannyRowOptions& rows) noexcept {
@@ -91,8 +91,8 @@ class CannyRows {
       Memory memory;
       memory.rows = detail::CannyRowMemory::take(arena, size, options);
       memory.worklist = arena.take<std::uint32_t>(std::min<std::size_t>(rows.worklist, width * height));
-      memory.class_row = arena.take<std::uint8_t>((width + 3) / 4 * 4);
-      memory.class_bits = arena.take<std::uint8_t>((width + 3) / 4 * height);
+      memory.class_row = arena.take<std::uint8_t>((width + 15) / 16 * 16);
+      memory.class_words = arena.take<std::uint32_t>((width + 15) / 16 * height);
       return memory;
     }
   };

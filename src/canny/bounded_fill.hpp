@@ -26,16 +26,24 @@ namespace straightedge {
 inline constexpr std::uint8_t pending_edge = strong_edge;
 inline constexpr std::uint8_t traced_edge = 3;
 
-/// `Classes` is where the pixels' states are kept: `get(x, y)`, `set(x, y, state)`, and `next_pending(x, y)`,
-/// the first pending pixel of row y at or right of x, or the width.
+/// `Classes` is where the pixels' states are kept: `set(x, y, state)`; `weak_of_three(x, y)`, whose bits 0, 1, 2
+/// say whether pixels x − 1, x, x + 1 are weak; and `next_pending(x, y)`, the first pending pixel of row y at or
+/// right of x, or the width.
 template <class Classes>
 class BoundedFill {
  public:
+  /// Gives back how many weak pixels became edges.
+  static std::uint32_t run(const Classes& classes, Size size, std::span<std::uint32_t> worklist) noexcept {
+    BoundedFill fill(classes, size, worklist);
+    return fill.sweep();
+  }
+
+ private:
   BoundedFill(const Classes& classes, Size size, std::span<std::uint32_t> worklist) noexcept
       : classes_(classes), size_(size), worklist_(worklist) {}
 
-  /// Gives back how many weak pixels became edges.
-  std::uint32_t run() noexcept {
+  // Steps 1 and 3.
+  std::uint32_t sweep() noexcept {
     std::int32_t first = 0;
     sweep_end_ = size_.height;
     while (first < sweep_end_) {
@@ -48,7 +56,6 @@ class BoundedFill {
     return reached_;
   }
 
- private:
   // Step 1.
   void sweep_row() noexcept {
     const std::int32_t y = sweep_y_;
@@ -75,11 +82,11 @@ class BoundedFill {
   }
 
   void look_around(std::int32_t x, std::int32_t y) noexcept {
-    const std::int32_t left = std::max<std::int32_t>(x - 1, 0), right = std::min(x + 1, size_.width - 1);
     const std::int32_t top = std::max<std::int32_t>(y - 1, 0), bottom = std::min(y + 1, size_.height - 1);
     for (std::int32_t v = top; v <= bottom; ++v) {
-      for (std::int32_t u = left; u <= right; ++u) {
-        if (classes_.get(u, v) == weak_edge) reach(u, v);
+      std::uint32_t weak = classes_.weak_of_three(x, v);
+      for (std::int32_t u = x - 1; weak != 0; ++u, weak >>= 1U) {
+        if ((weak & 1U) != 0) reach(u, v);
       }
     }
   }

@@ -2,15 +2,25 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/canny_fused.hpp"
 
+#include <cstring>
+
 #include "canny/bounded_fill.hpp"
 #include "canny/class_bytes.hpp"
 
 namespace straightedge {
 namespace {
 
-// Step 6, the end.
+// Step 6, the end: 255 where both bits of the state are set. Four pixels at a time, then the rest.
 void keep_traced(std::uint8_t* row, std::int32_t width) noexcept {
-  for (std::int32_t x = 0; x < width; ++x) row[x] = row[x] == traced_edge ? 255 : 0;
+  static_assert(traced_edge == 3 && pending_edge < 3 && weak_edge < 3);
+  std::int32_t x = 0;
+  for (; x + 4 <= width; x += 4) {
+    std::uint32_t states = 0;
+    std::memcpy(&states, row + x, sizeof states);
+    states = (states & (states >> 1U) & 0x01010101U) * 255U;
+    std::memcpy(row + x, &states, sizeof states);
+  }
+  for (; x < width; ++x) row[x] = row[x] == traced_edge ? 255 : 0;
 }
 
 }  // namespace
@@ -47,7 +57,7 @@ CannyResult FusedCanny::run(GrayView gray, ImageView<std::uint8_t> edges) noexce
   }
 
   // Step 6.
-  const std::uint32_t reached = BoundedFill(ClassBytes{edges}, size_, worklist_).run();
+  const std::uint32_t reached = BoundedFill<ClassBytes>::run({edges}, size_, worklist_);
   for (std::int32_t y = 0; y < size_.height; ++y) keep_traced(edges.row(y), size_.width);
   return {Status::ok, options_.low, options_.high, recipe_.strong(), recipe_.strong() + reached};
 }

@@ -9,11 +9,8 @@ namespace straightedge {
 constinit const CannyRowKernels plain_canny_row_kernels = {
     .blur_down = plain::blur_down,
     .blur_along = plain::blur_along,
-    .sobel_3 = plain::sobel_3,
-    .sobel_5 = plain::sobel_5,
-    .sobel_7 = plain::sobel_7,
-    .magnitude_l1 = plain::magnitude_l1,
-    .magnitude_l2 = plain::magnitude_l2,
+    .gradient_l1 = {plain::gradient_l1<3>, plain::gradient_l1<5>, plain::gradient_l1<7>},
+    .gradient_l2 = {plain::gradient_l2<3>, plain::gradient_l2<5>, plain::gradient_l2<7>},
     .suppress_l1 = plain::suppress_l1,
     .suppress_l2 = plain::suppress_l2,
 };

@@ -77,18 +77,16 @@ bool CannyRowRecipe::make_gradient_row() noexcept {
   }
   for (std::int32_t k = 0; k < options_.aperture; ++k) {
     const std::int32_t source = std::clamp<std::int32_t>(y - margin + k, 0, last);
-    memory_.sources[static_cast<std::size_t>(k)] = memory_.blurred.row(source) - margin;
+    memory_.sources[static_cast<std::size_t>(k)] = memory_.blurred.row(source);
   }
-  const CannyRowKernels::Sobel sobel = options_.aperture == 3   ? kernels_->sobel_3
-                                       : options_.aperture == 5 ? kernels_->sobel_5
-                                                                : kernels_->sobel_7;
+  const std::uint8_t* const* const rows = memory_.sources.data();
+  std::int16_t* const scratch = memory_.sobel_scratch.data();
   std::int16_t* const dx = memory_.dx.row(y);
   std::int16_t* const dy = memory_.dy.row(y);
-  sobel(memory_.sources.data(), memory_.sobel_scratch.data(), dx, dy, size_.width);
   if (options_.norm == GradientNorm::l1) {
-    kernels_->magnitude_l1(dx, dy, memory_.magnitude_l1.row(y), size_.width);
+    kernels_->gradient_l1[margin - 1](rows, scratch, dx, dy, memory_.magnitude_l1.row(y), size_.width);
   } else {
-    kernels_->magnitude_l2(dx, dy, memory_.magnitude_l2.row(y), size_.width);
+    kernels_->gradient_l2[margin - 1](rows, scratch, dx, dy, memory_.magnitude_l2.row(y), size_.width);
   }
   ++gradient_rows_;
   return true;

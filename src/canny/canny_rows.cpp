@@ -6,16 +6,24 @@
 
 #include "canny/bounded_fill.hpp"
 #include "canny/class_bits.hpp"
+#include "canny/four_pixels.hpp"
 
 namespace straightedge {
 namespace {
 
-// Bytes beyond the width are none, so the last four can be packed like all others.
-void pack_row(const std::uint8_t* classes, std::uint8_t* fours, std::int32_t width) noexcept {
-  for (std::int32_t x = 0; x < width; x += 4) {
-    const std::uint32_t left = classes[x] | (std::uint32_t{classes[x + 1]} << 2U);
-    const std::uint32_t right = classes[x + 2] | (std::uint32_t{classes[x + 3]} << 2U);
-    fours[x >> 2] = static_cast<std::uint8_t>(left | (right << 4U));
+// Four classes into eight bits: each byte's two bits move down next to those of the byte before.
+std::uint32_t pack_four(const std::uint8_t* classes) noexcept {
+  const std::uint32_t word = load_four_bytes(classes);
+  const std::uint32_t pairs = word | (word >> 6U);
+  return (pairs | (pairs >> 12U)) & 0xFFU;
+}
+
+// Bytes beyond the width are none, so the last sixteen can be packed like all others.
+void pack_row(const std::uint8_t* classes, std::uint32_t* words, std::int32_t width) noexcept {
+  for (; width > 0; width -= 16, classes += 16) {
+    const std::uint32_t left = pack_four(classes) | (pack_four(classes + 4) << 8U);
+    const std::uint32_t right = pack_four(classes + 8) | (pack_four(classes + 12) << 8U);
+    *words++ = left | (right << 16U);
   }
 }
 
@@ -52,7 +60,7 @@ Status CannyRows::push_row(std::span<const std::uint8_t> gray) noexcept {
   if (gray.data() == nullptr) return Status::invalid_image;
   if (gray.size() != static_cast<std::size_t>(size_.width)) return Status::size_mismatch;
   if (recipe_.rows_in() == size_.height) return Status::size_mismatch;
-  const ClassBits classes{memory_.class_bits.data(), size_.width};
+  const ClassBits classes{memory_.class_words.data(), size_.width};
 
   // Steps 1 to 5.
   recipe_.push(gray.data());
@@ -66,8 +74,8 @@ CannyResult CannyRows::finish() noexcept {
   if (recipe_.rows_in() != size_.height) return {Status::size_mismatch};
 
   // Step 6.
-  const ClassBits classes{memory_.class_bits.data(), size_.width};
-  const std::uint32_t reached = BoundedFill(classes, size_, memory_.worklist).run();
+  const ClassBits classes{memory_.class_words.data(), size_.width};
+  const std::uint32_t reached = BoundedFill<ClassBits>::run(classes, size_, memory_.worklist);
   phase_ = Phase::finished;
   return {Status::ok, options_.low, options_.high, recipe_.strong(), recipe_.strong() + reached};
 }
@@ -77,13 +85,16 @@ Status CannyRows::read_row(std::int32_t y, std::span<std::uint8_t> edges) const 
   if (edges.data() == nullptr) return Status::invalid_image;
   if (edges.size() != static_cast<std::size_t>(size_.width)) return Status::size_mismatch;
   if (y < 0 || y >= size_.height) return Status::size_mismatch;
-  for (std::int32_t x = 0; x < size_.width; ++x) edges[static_cast<std::size_t>(x)] = is_edge(x, y) ? 255 : 0;
+  const std::uint32_t* const row = ClassBits{memory_.class_words.data(), size_.width}.row(y);
+  for (std::int32_t x = 0; x < size_.width; ++x) {
+    edges[static_cast<std::size_t>(x)] = ClassBits::get(row, x) == traced_edge ? 255 : 0;
+  }
   return Status::ok;
 }
 
 bool CannyRows::is_edge(std::int32_t x, std::int32_t y) const noexcept {
   if (phase_ != Phase::finished || x < 0 || y < 0 || x >= size_.width || y >= size_.height) return false;
-  return ClassBits{memory_.class_bits.data(), size_.width}.get(x, y) == traced_edge;
+  return ClassBits::get(ClassBits{memory_.class_words.data(), size_.width}.row(y), x) == traced_edge;
 }
 
 }  // namespace straightedge

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "canny/row_kernels.hpp"
 
@@ -15,17 +16,23 @@ std::uint8_t rounded(std::uint32_t sum) noexcept {
   return static_cast<std::uint8_t>(sum >> 16U);
 }
 
-// Kernels of 2 Margin + 1 taps, all of which stay in registers.
-template <std::int32_t Margin>
+// Kernels of 2 Margin + 1 taps, all of which stay in registers. Written out by the compiler for each length.
+template <std::ptrdiff_t... K>
+void blur_short(const std::uint16_t* sums, const std::uint16_t* taps, std::uint8_t* blurred,
+                std::int32_t width, std::integer_sequence<std::ptrdiff_t, K...>) noexcept {
+  const std::uint16_t* const middle = taps + sizeof...(K);
+  const std::uint32_t centre_tap = middle[0];
+  const std::uint32_t tap[] = {middle[K + 1]...};
+  for (std::int32_t x = 0; x < width; ++x) {
+    const std::uint16_t* const s = sums + x;
+    blurred[x] = rounded(half + centre_tap * s[0] + ((tap[K] * (std::uint32_t{s[-K - 1]} + s[K + 1])) + ...));
+  }
+}
+
+template <std::ptrdiff_t Margin>
 void blur_short(const std::uint16_t* sums, const std::uint16_t* taps, std::uint8_t* blurred,
                 std::int32_t width) noexcept {
-  std::uint32_t tap[Margin + 1];
-  for (std::int32_t k = 0; k <= Margin; ++k) tap[k] = taps[Margin + k];
-  for (std::int32_t x = 0; x < width; ++x) {
-    std::uint32_t sum = half + tap[0] * sums[x];
-    for (std::int32_t k = 1; k <= Margin; ++k) sum += tap[k] * sums[x - k] + tap[k] * sums[x + k];
-    blurred[x] = rounded(sum);
-  }
+  blur_short(sums, taps, blurred, width, std::make_integer_sequence<std::ptrdiff_t, Margin>());
 }
 
 // Kernels of any length, a block of pixels at a time.

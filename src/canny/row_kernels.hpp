@@ -11,16 +11,12 @@ void blur_down(const std::uint8_t* const* rows, const std::uint16_t* taps, std::
                std::uint16_t* sums, std::int32_t width) noexcept;
 void blur_along(const std::uint16_t* sums, const std::uint16_t* taps, std::int32_t tap_count,
                 std::uint8_t* blurred, std::int32_t width) noexcept;
-void sobel_3(const std::uint8_t* const* rows, std::int16_t* scratch, std::int16_t* dx, std::int16_t* dy,
-             std::int32_t width) noexcept;
-void sobel_5(const std::uint8_t* const* rows, std::int16_t* scratch, std::int16_t* dx, std::int16_t* dy,
-             std::int32_t width) noexcept;
-void sobel_7(const std::uint8_t* const* rows, std::int16_t* scratch, std::int16_t* dx, std::int16_t* dy,
-             std::int32_t width) noexcept;
-void magnitude_l1(const std::int16_t* dx, const std::int16_t* dy, std::uint16_t* magnitude,
-                  std::int32_t width) noexcept;
-void magnitude_l2(const std::int16_t* dx, const std::int16_t* dy, std::uint32_t* magnitude,
-                  std::int32_t width) noexcept;
+template <int Side>
+void gradient_l1(const std::uint8_t* const* rows, std::int16_t* scratch, std::int16_t* dx, std::int16_t* dy,
+                 std::uint16_t* magnitude, std::int32_t width) noexcept;
+template <int Side>
+void gradient_l2(const std::uint8_t* const* rows, std::int16_t* scratch, std::int16_t* dx, std::int16_t* dy,
+                 std::uint32_t* magnitude, std::int32_t width) noexcept;
 std::uint32_t suppress_l1(const MagnitudeRows<std::uint16_t>& rows, MagnitudeThresholds limits,
                           std::uint8_t* classes, std::int32_t width) noexcept;
 std::uint32_t suppress_l2(const MagnitudeRows<std::uint32_t>& rows, MagnitudeThresholds limits,

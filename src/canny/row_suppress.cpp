@@ -23,16 +23,22 @@ bool is_crest(const MagnitudeRows<M>& rows, std::int32_t x) noexcept {
   return false;
 }
 
+// Step 1. The first pixel at or right of x that is above `low`, or the width.
 template <class M>
-std::uint32_t suppress(const MagnitudeRows<M>& rows, MagnitudeThresholds limits, std::uint8_t* classes,
+std::int32_t next_above(const M* magnitude, std::int32_t x, std::int32_t width, std::uint32_t low) noexcept {
+  while (x < width && magnitude[x] <= low) ++x;
+  return x;
+}
+
+template <class M>
+std::uint32_t suppress(const MagnitudeRows<M> rows, MagnitudeThresholds limits, std::uint8_t* classes,
                        std::int32_t width) noexcept {
   const auto low = static_cast<std::uint32_t>(std::max<std::int32_t>(limits.low, 0));
   const auto high = static_cast<std::uint32_t>(std::max<std::int32_t>(limits.high, 0));
   std::memset(classes, no_edge, static_cast<std::size_t>(width));
   std::uint32_t strong = 0;
-  for (std::int32_t x = 0; x < width; ++x) {
-    // Step 1.
-    if (rows.here[x] <= low || !is_crest(rows, x)) continue;
+  for (std::int32_t x = -1; (x = next_above(rows.here, x + 1, width, low)) < width;) {
+    if (!is_crest(rows, x)) continue;
     // Step 4.
     const bool is_strong = rows.here[x] > high;
     classes[x] = is_strong ? strong_edge : weak_edge;
