@@ -31,6 +31,9 @@ constexpr std::int32_t border_index(std::int32_t i, std::int32_t n, Border borde
     }
     case Border::reflect_101: {
       if (n == 1) return 0;
+      // Most are one reflection away, and 64-bit remainders are slow on small processors.
+      if (i < 0 && i > -n) return -i;
+      if (i >= n && i - n < n - 1) return n - 2 - (i - n);
       const std::int64_t period = 2 * std::int64_t{n} - 2;
       const std::int64_t phase = (i % period + period) % period;
       return static_cast<std::int32_t>(phase < n ? phase : period - phase);

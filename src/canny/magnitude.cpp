@@ -2,25 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/magnitude.hpp"
 
-#include <algorithm>
+#include "canny/gradient_norm.hpp"
 
 namespace straightedge {
 namespace {
 
 void l1_row(const std::int16_t* dx, const std::int16_t* dy, std::int32_t* out, std::int32_t width) noexcept {
-  for (std::int32_t x = 0; x < width; ++x) {
-    const std::int32_t across = dx[x] < 0 ? -dx[x] : dx[x];
-    const std::int32_t down = dy[x] < 0 ? -dy[x] : dy[x];
-    out[x] = across + down;
-  }
+  for (std::int32_t x = 0; x < width; ++x) out[x] = l1_norm(dx[x], dy[x]);
 }
 
 void l2_row(const std::int16_t* dx, const std::int16_t* dy, std::int32_t* out, std::int32_t width) noexcept {
-  for (std::int32_t x = 0; x < width; ++x) {
-    const auto across = static_cast<std::uint32_t>(dx[x] * dx[x]);
-    const auto down = static_cast<std::uint32_t>(dy[x] * dy[x]);
-    out[x] = static_cast<std::int32_t>(std::min<std::uint32_t>(across + down, INT32_MAX));
-  }
+  for (std::int32_t x = 0; x < width; ++x) out[x] = l2_norm(dx[x], dy[x]);
 }
 
 }  // namespace

@@ -4,30 +4,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 #include "base/bordered_row.hpp"
+#include "canny/sobel_taps.hpp"
 
 namespace straightedge {
 namespace {
-
-template <int Side>
-struct Taps;
-template <>
-struct Taps<3> {
-  static constexpr int smooth[] = {1, 2, 1};
-  static constexpr int difference[] = {-1, 0, 1};
-};
-template <>
-struct Taps<5> {
-  static constexpr int smooth[] = {1, 4, 6, 4, 1};
-  static constexpr int difference[] = {-1, -2, 0, 2, 1};
-};
-template <>
-struct Taps<7> {
-  static constexpr int smooth[] = {1, 6, 15, 20, 15, 6, 1};
-  static constexpr int difference[] = {-1, -4, -5, 0, 5, 4, 1};
-};
 
 // Step 1, one row of the image times its two taps. At most 64 * 255 in all: fits 16 bits.
 void add_row(const std::uint8_t* pixels, int smooth, int difference, std::int16_t* smoothed,
@@ -49,34 +31,11 @@ void sum_columns(GrayView gray, std::int32_t y, Border border, const SobelScratc
   for (int k = 0; k < Side; ++k) {
     const std::int32_t source = border_index(y - margin + k, gray.height, border);
     if (source == border_zero) continue;
-    add_row(gray.row(source), Taps<Side>::smooth[k], Taps<Side>::difference[k], smoothed, differences,
+    add_row(gray.row(source), SobelTaps<Side>::smooth[k], SobelTaps<Side>::difference[k], smoothed, differences,
             gray.width);
   }
   fill_margins(scratch.smoothed.data(), gray.width, margin, border);
   fill_margins(scratch.difference.data(), gray.width, margin, border);
-}
-
-// Step 3. Adding 7, and one more where the quotient is odd, before the shift rounds halves to even.
-template <GradientScale Scale>
-std::int16_t to_16_bits(std::int32_t value) noexcept {
-  if constexpr (Scale == GradientScale::sixteenth) value = (value + 7 + ((value >> 4) & 1)) >> 4;
-  return static_cast<std::int16_t>(std::clamp<std::int32_t>(value, INT16_MIN, INT16_MAX));
-}
-
-// Step 2, one pixel. Written out by the compiler for each side, so that pixels can be computed side by side.
-template <int Side, std::size_t... K>
-std::int32_t weighted_sum(const std::int16_t* sums, const int (&taps)[Side],
-                          std::index_sequence<K...>) noexcept {
-  return ((taps[K] * sums[K]) + ...);
-}
-
-// Steps 2 and 3.
-template <int Side, GradientScale Scale>
-void filter_row(const std::int16_t* sums, const int (&taps)[Side], std::int16_t* out,
-                std::int32_t width) noexcept {
-  for (std::int32_t x = 0; x < width; ++x) {
-    out[x] = to_16_bits<Scale>(weighted_sum(sums + x, taps, std::make_index_sequence<Side>()));
-  }
 }
 
 template <int Side, GradientScale Scale>
@@ -84,8 +43,8 @@ void filter_image(GrayView gray, Border border, const SobelScratch& scratch, Ima
                   ImageView<std::int16_t> dy) noexcept {
   for (std::int32_t y = 0; y < gray.height; ++y) {
     sum_columns<Side>(gray, y, border, scratch);
-    filter_row<Side, Scale>(scratch.smoothed.data(), Taps<Side>::difference, dx.row(y), gray.width);
-    filter_row<Side, Scale>(scratch.difference.data(), Taps<Side>::smooth, dy.row(y), gray.width);
+    sobel_filter_row<Side, Scale>(scratch.smoothed.data(), SobelTaps<Side>::difference, dx.row(y), gray.width);
+    sobel_filter_row<Side, Scale>(scratch.difference.data(), SobelTaps<Side>::smooth, dy.row(y), gray.width);
   }
 }
 

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "straightedge/arena.hpp"
+#include "straightedge/canny.hpp"
+#include "straightedge/canny_row_kernels.hpp"
+#include "straightedge/detail/canny_row_memory.hpp"
+#include "straightedge/detail/canny_row_recipe.hpp"
+#include "straightedge/image.hpp"
+#include "straightedge/status.hpp"
+
+/// Canny for a whole picture in little memory: the same edges as `Canny` (canny.hpp), bit for bit, without
+/// its intermediate pictures.
+///
+/// Steps, with the numbers that they have in canny.hpp
+///   1 to 5. Row by row: each stage keeps only the rows that the next one still needs. The classes, none,
+///      weak or strong, are written into `edges`.
+///   6. Hysteresis in place. Strong pixels are seeds of a flood fill whose worklist is short. A pixel that is
+///      reached while the worklist is full is left marked as a seed, and a further sweep takes it up. Last,
+///      traced pixels become 255 and all others 0.
+///
+/// The result does not depend on the length of the worklist. Papers: canny.hpp.
+///
+/// Options: `CannyOptions` and `CannyRowOptions`. Automatic thresholds are `invalid_option`: they need the
+/// magnitudes of the whole picture before the first pixel can be divided into weak and strong.
+///
+/// Time linear in pixels while the worklist suffices. Each time it overflows, some rows are swept once more:
+/// at most 1 + edges / worklist sweeps in all, whatever the picture, and each reads every pixel once.
+/// Memory: the rows (10 KB for 320x240 with the default options), 4 bytes for each entry of the worklist,
+/// nothing that grows with the pixels.
+namespace straightedge {
+
+/// `prepare` once for a size and options, `run` many times. The workspace is the caller's and must outlive
+/// the object; copies of the object share it, so only one of them may run at a time.
+class FusedCanny {
+ public:
+  /// Bytes that `prepare` needs; 0 when size or options are invalid. Usable in constant expressions.
+  static constexpr std::size_t workspace_bytes(Size size, const CannyOptions& options,
+                                               const CannyRowOptions& rows = {}) noexcept {
+    if (detail::CannyRowRecipe::check(size, options, rows) != Status::ok) return 0;
+    Arena arena = Arena::measure();
+    Memory::take(arena, size, options, rows);
+    return arena.used();
+  }
+
+  /// `invalid_image` (size), `invalid_option`, `too_large` (more than 2^30 pixels; on 32-bit machines 2^26)
+  /// or `workspace_too_small` leave `canny` unprepared.
+  static Status prepare(FusedCanny& canny, Size size, const CannyOptions& options,
+                        std::span<std::byte> workspace, const CannyRowOptions& rows = {}) noexcept;
+
+  /// `edges`: 255 on edges, 0 elsewhere; it may be the very view of `gray`. Both views have the prepared size.
+  /// Errors, with `edges` untouched: `not_prepared`, `invalid_image`, `size_mismatch`.
+  CannyResult run(GrayView gray, ImageView<std::uint8_t> edges) noexcept;
+
+ private:
+  struct Memory {
+    detail::CannyRowMemory rows;
+    std::span<std::uint32_t> worklist;
+
+    static constexpr Memory take(Arena& arena, Size size, const CannyOptions& options,
+                                 const CannyRowOptions& rows) noexcept {
+      const std::size_t pixels =
+          static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+      Memory memory;
+      memory.rows = detail::CannyRowMemory::take(arena, size, options);
+      memory.worklist = arena.take<std::uint32_t>(std::min<std::size_t>(rows.worklist, pixels));
+      return memory;
+    }
+  };
+
+  bool prepared_ = false;
+  Size size_;
+  CannyOptions options_;
+  detail::CannyRowRecipe recipe_;
+  std::span<std::uint32_t> worklist_;
+};
+
+}  // namespace straightedge
