@@ -33,6 +33,8 @@ struct HoughOptions {
                                 ///< standard and randomized
   double min_support = 0.5;     ///< share of a segment's steps that edge pixels must carry, [0, 1];
                                 ///< standard and randomized
+  std::uint32_t max_edge_pixels = 0;  ///< room for so many, 0 = every pixel may be one; more in a picture:
+                                      ///< `too_large`, nothing written; progressive and randomized
   std::uint64_t seed = 1;
   HoughGenerator generator = HoughGenerator::pcg32;
   double gradient_window = 0;  ///< radians to each side of the pixel's own direction, [0, pi]; 0 = all
