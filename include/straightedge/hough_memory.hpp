@@ -36,8 +36,8 @@ inline constexpr std::int32_t hough_band_rows = 32;
 /// The workspace of the three methods; what a method does not use stays empty.
 struct HoughMemory {
   std::span<std::int32_t> cells;     ///< the accumulator (standard, randomized: with its guard cells)
-  std::span<std::int16_t> cells16;   ///< progressive: the accumulator, where hough_cell_bytes says 2
-  std::span<std::uint8_t> cells8;    ///< progressive: the accumulator, where hough_cell_bytes says 1
+  std::span<std::int16_t> cells16;   ///< the same, where hough_cell_bytes says 2
+  std::span<std::uint8_t> cells8;    ///< the same, where hough_cell_bytes says 1
   std::span<float> cosines;          ///< of each angle, divided by rho_step
   std::span<float> sines;            ///< likewise
   std::span<std::uint32_t> offsets;  ///< progressive: of each angle's row in the accumulator
@@ -56,18 +56,18 @@ struct HoughMemory {
     const bool randomized = options.method == HoughMethod::randomized;
     constexpr std::size_t guards = 2 * hough_guard;
     HoughMemory memory;
+    if (standard) memory.cells = arena.take<std::int32_t>((angles + guards) * (distances + guards));
+    if (randomized) memory.take_cells(arena, angles * distances + guards, hough_cell_bytes(size, options));
     if (progressive) {
-      memory.take_rows(arena, size, options, grid);
-    } else {
-      memory.cells = arena.take<std::int32_t>(standard ? (angles + guards) * (distances + guards)
-                                                       : angles * distances + guards);
+      memory.take_cells(arena, hough_row_cells(size, grid), hough_cell_bytes(size, options));
+      memory.offsets = arena.take<std::uint32_t>(angles);
     }
     if (!randomized) {
       memory.cosines = arena.take<float>(angles);
       memory.sines = arena.take<float>(angles);
     }
-    memory.mask = arena.take<std::uint8_t>(progressive ? PixelStates::row_bytes(size.width) * height
-                                                       : width * height);
+    memory.mask =
+        arena.take<std::uint8_t>(progressive ? PixelStates::row_bytes(size.width) * height : width * height);
     memory.points = arena.take<PixelPlace>(standard ? width * std::size_t{hough_band_rows}
                                                     : hough_edge_room(size, options));
     if (randomized) {
@@ -79,14 +79,10 @@ struct HoughMemory {
   }
 
  private:
-  constexpr void take_rows(Arena& arena, Size size, const HoughOptions& options,
-                           const HoughGrid& grid) noexcept {
-    const std::size_t count = hough_row_cells(size, grid);
-    const std::size_t bytes = hough_cell_bytes(size, options);
+  constexpr void take_cells(Arena& arena, std::size_t count, std::size_t bytes) noexcept {
     if (bytes == 1) cells8 = arena.take<std::uint8_t>(count);
     if (bytes == 2) cells16 = arena.take<std::int16_t>(count);
     if (bytes == 4) cells = arena.take<std::int32_t>(count);
-    offsets = arena.take<std::uint32_t>(static_cast<std::size_t>(grid.angles));
   }
 };
 

@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "hough/compact_rows.hpp"
 
+#include "hough/cells.hpp"
+
 namespace straightedge::hough {
 namespace {
-
-/// Calls `work` with the first cell, whatever its type.
-template <class Work>
-auto with_cells(const HoughMemory& memory, Work work) noexcept {
-  if (!memory.cells8.empty()) return work(memory.cells8.data());
-  return memory.cells16.empty() ? work(memory.cells.data()) : work(memory.cells16.data());
-}
 
 template <class Cell>
 Candidate cast(Cell* cells, const HoughMemory& memory, PixelPlace pixel, Angles angles,
@@ -49,11 +44,11 @@ void lay_out_rows(HoughJob& job) noexcept {
 }
 
 Candidate cast_votes(const HoughMemory& memory, PixelPlace pixel, Angles angles, Candidate best) noexcept {
-  return with_cells(memory, [&](auto* cells) { return cast(cells, memory, pixel, angles, best); });
+  return with_cells(memory, [&](auto* cells) noexcept { return cast(cells, memory, pixel, angles, best); });
 }
 
 void take_votes_off(const HoughMemory& memory, PixelPlace pixel, Angles angles) noexcept {
-  with_cells(memory, [&](auto* cells) { take_off(cells, memory, pixel, angles); });
+  with_cells(memory, [&](auto* cells) noexcept { take_off(cells, memory, pixel, angles); });
 }
 
 }  // namespace straightedge::hough

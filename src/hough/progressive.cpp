@@ -3,6 +3,7 @@
 #include "straightedge/hough_progressive.hpp"
 
 #include "hough/angle_table.hpp"
+#include "hough/cells.hpp"
 #include "hough/compact_rows.hpp"
 #include "hough/fixed_walk.hpp"
 #include "hough/gradient_window.hpp"
@@ -49,12 +50,6 @@ std::uint32_t list_pixels(HoughJob& job) noexcept {
     }
   }
   return count;
-}
-
-void clear_votes(HoughMemory& memory) noexcept {
-  for (std::uint8_t& cell : memory.cells8) cell = 0;
-  for (std::int16_t& cell : memory.cells16) cell = 0;
-  for (std::int32_t& cell : memory.cells) cell = 0;
 }
 
 Candidate vote_in_window(HoughJob& job, PixelPlace pixel) noexcept {
@@ -114,8 +109,8 @@ bool long_enough(const HoughJob& job, const HoughSegment& s) noexcept {
 bool follow(HoughJob& job, PixelPlace pixel, Candidate candidate) noexcept {
   const bool as_opencv = job.options.generator == HoughGenerator::opencv;
   // Holes are whole pixels.
-  const auto max_gap = static_cast<std::int32_t>(as_opencv ? detail::round_even(job.options.max_gap)
-                                                           : job.options.max_gap);
+  const auto max_gap =
+      static_cast<std::int32_t>(as_opencv ? detail::round_even(job.options.max_gap) : job.options.max_gap);
   const auto n = static_cast<std::size_t>(candidate.angle);
   const FixedWalk ahead(pixel, -job.memory.sines[n], job.memory.cosines[n]);
   // Step 4.
@@ -146,7 +141,7 @@ bool run_progressive(HoughJob& job) noexcept {
   // Step 1.
   hough::fill_angles_by_multiplying(job);
   hough::lay_out_rows(job);
-  clear_votes(job.memory);
+  hough::clear_cells(job.memory);
   job.result.edge_pixels = list_pixels(job);
   if (job.result.edge_pixels > job.memory.points.size()) return job.stop(Status::too_large);
 
