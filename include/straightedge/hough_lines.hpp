@@ -11,6 +11,7 @@
 #include "straightedge/hough_grid.hpp"
 #include "straightedge/hough_memory.hpp"
 #include "straightedge/hough_options.hpp"
+#include "straightedge/hough_views.hpp"
 #include "straightedge/image.hpp"
 #include "straightedge/status.hpp"
 
@@ -65,11 +66,12 @@ class HoughLines {
 
   // What the last `run` left behind.
 
-  /// One row an angle, one column a distance: row n is theta = min_theta + n * theta_step. Column r is
-  /// rho = (r - (distances - 1) / 2) * rho_step, from the first pixel or (randomized) from the centre.
-  ImageView<const std::int32_t> accumulator() const noexcept;
-  /// The edge pixels that no segment took: not 0.
-  GrayView remaining() const noexcept { return {memory_.mask.data(), size_}; }
+  /// Not valid before `prepare`.
+  HoughVotesView accumulator() const noexcept {
+    return grid_.status == Status::ok ? HoughVotesView(size_, options_.method, grid_, memory_)
+                                      : HoughVotesView();
+  }
+  HoughRemainingView remaining() const noexcept { return {size_, options_.method, memory_}; }
 
  private:
   Size size_;

@@ -7,9 +7,11 @@
 #include <span>
 
 #include "straightedge/arena.hpp"
+#include "straightedge/hough_cells.hpp"
 #include "straightedge/hough_grid.hpp"
 #include "straightedge/hough_options.hpp"
 #include "straightedge/image.hpp"
+#include "straightedge/pixel_states.hpp"
 
 namespace straightedge {
 
@@ -33,10 +35,13 @@ inline constexpr std::int32_t hough_band_rows = 32;
 
 /// The workspace of the three methods; what a method does not use stays empty.
 struct HoughMemory {
-  std::span<std::int32_t> cells;     ///< the accumulator with its guard cells
+  std::span<std::int32_t> cells;     ///< the accumulator (standard, randomized: with its guard cells)
+  std::span<std::int16_t> cells16;   ///< the same, where hough_cell_bytes says 2
+  std::span<std::uint8_t> cells8;    ///< the same, where hough_cell_bytes says 1
   std::span<float> cosines;          ///< of each angle, divided by rho_step
   std::span<float> sines;            ///< likewise
-  std::span<std::uint8_t> mask;      ///< a pixel's state, rows without gaps
+  std::span<std::uint32_t> offsets;  ///< progressive: of each angle's row in the accumulator
+  std::span<std::uint8_t> mask;      ///< a pixel's state, rows without gaps; progressive: two bits each
   std::span<PixelPlace> points;      ///< standard: of one band of rows; else all edge pixels
   std::span<std::uint32_t> buckets;  ///< randomized: where each square's pixels begin in `points`
 
@@ -47,23 +52,37 @@ struct HoughMemory {
     const auto angles = static_cast<std::size_t>(grid.angles);
     const auto distances = static_cast<std::size_t>(grid.distances);
     const bool standard = options.method == HoughMethod::standard;
+    const bool progressive = options.method == HoughMethod::progressive;
     const bool randomized = options.method == HoughMethod::randomized;
     constexpr std::size_t guards = 2 * hough_guard;
     HoughMemory memory;
-    memory.cells = arena.take<std::int32_t>(standard ? (angles + guards) * (distances + guards)
-                                                     : angles * distances + guards);
+    if (standard) memory.cells = arena.take<std::int32_t>((angles + guards) * (distances + guards));
+    if (randomized) memory.take_cells(arena, angles * distances + guards, hough_cell_bytes(size, options));
+    if (progressive) {
+      memory.take_cells(arena, hough_row_cells(size, grid), hough_cell_bytes(size, options));
+      memory.offsets = arena.take<std::uint32_t>(angles);
+    }
     if (!randomized) {
       memory.cosines = arena.take<float>(angles);
       memory.sines = arena.take<float>(angles);
     }
-    memory.mask = arena.take<std::uint8_t>(width * height);
-    memory.points = arena.take<PixelPlace>(standard ? width * std::size_t{hough_band_rows} : width * height);
+    memory.mask =
+        arena.take<std::uint8_t>(progressive ? PixelStates::row_bytes(size.width) * height : width * height);
+    memory.points = arena.take<PixelPlace>(standard ? width * std::size_t{hough_band_rows}
+                                                    : hough_edge_room(size, options));
     if (randomized) {
       const auto side = static_cast<std::size_t>(hough_bucket_side(size, options));
       memory.buckets =
           arena.take<std::uint32_t>(((width + side - 1) / side) * ((height + side - 1) / side) + 1);
     }
     return memory;
+  }
+
+ private:
+  constexpr void take_cells(Arena& arena, std::size_t count, std::size_t bytes) noexcept {
+    if (bytes == 1) cells8 = arena.take<std::uint8_t>(count);
+    if (bytes == 2) cells16 = arena.take<std::int16_t>(count);
+    if (bytes == 4) cells = arena.take<std::int32_t>(count);
   }
 };
 

@@ -26,13 +26,15 @@ struct HoughOptions {
   HoughMethod method = HoughMethod::progressive;
   double rho_step = 1.0;                     ///< pixels, [1e-3, 1e5]; used as float
   double theta_step = 0.017453292519943295;  ///< radians, [1e-5, pi]; used as float
-  std::int32_t threshold = 50;  ///< votes, >= 1; standard: more than it, progressive: at least it
-  double min_length = 30;       ///< pixels, [0, 1e9]; shorter segments are dropped
-  double max_gap = 10;          ///< pixels, [0, 1e9]; longer holes end a segment
-  double half_width = 1.5;      ///< pixels, [0.5, 100], of the strip in which end points are read;
-                                ///< standard and randomized
-  double min_support = 0.5;     ///< share of a segment's steps that edge pixels must carry, [0, 1];
-                                ///< standard and randomized
+  std::int32_t threshold = 50;        ///< votes, >= 1; standard: more than it, progressive: at least it
+  double min_length = 30;             ///< pixels, [0, 1e9]; shorter segments are dropped
+  double max_gap = 10;                ///< pixels, [0, 1e9]; longer holes end a segment
+  double half_width = 1.5;            ///< pixels, [0.5, 100], of the strip in which end points are read;
+                                      ///< standard and randomized
+  double min_support = 0.5;           ///< share of a segment's steps that edge pixels must carry, [0, 1];
+                                      ///< standard and randomized
+  std::uint32_t max_edge_pixels = 0;  ///< room for so many, 0 = every pixel may be one; more in a picture:
+                                      ///< `too_large`, nothing written; progressive and randomized
   std::uint64_t seed = 1;
   HoughGenerator generator = HoughGenerator::pcg32;
   double gradient_window = 0;  ///< radians to each side of the pixel's own direction, [0, pi]; 0 = all

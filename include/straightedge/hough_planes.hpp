@@ -21,6 +21,7 @@ struct HoughPlaneMemory {
   std::span<float> x, y, z;         ///< of the points still free, from the origin
   std::span<std::uint32_t> free;    ///< their numbers
   std::span<std::uint32_t> smooth;  ///< standard: low-passed votes
+  std::span<float> voters;          ///< standard: up to 1024 that vote together; all x, all y, all z
   HoughAccumulator accumulator;
 
   constexpr void take(Arena& arena, std::size_t points, const HoughPlaneOptions& options) noexcept {
@@ -30,6 +31,7 @@ struct HoughPlaneMemory {
     free = arena.take<std::uint32_t>(points);
     const bool standard = options.voting == HoughPlaneVoting::standard;
     smooth = arena.take<std::uint32_t>(standard ? HoughAccumulator::cell_count(options.accumulator) : 0);
+    voters = arena.take<float>(standard ? 3 * (points < 1024 ? points : 1024) : 0);
     accumulator.take(arena, options.accumulator);
   }
 };
@@ -64,7 +66,7 @@ struct HoughPlaneMemory {
 /// Recognition Letters 11(5), 1990, doi:10.1016/0167-8655(90)90042-Z. D. Borrmann et al., 2011,
 /// doi:10.1007/3DRes.02(2011)3.
 ///
-/// Memory: 16 bytes a point and the accumulator (standard: and 4 bytes a cell more).
+/// Memory: 16 bytes a point and the accumulator (standard: and 4 bytes a cell and 12 KB more).
 ///
 /// Bad input: invalid_image (no points), size_mismatch (labels), too_large (more points than `prepare` was
 /// told, or more than 2^29), invalid_option, workspace_too_small, not_prepared. Fewer than three points,

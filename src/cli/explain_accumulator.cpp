@@ -37,21 +37,20 @@ struct CellRange {
         last(std::clamp(static_cast<std::int32_t>(std::ceil(to)) - 1, first, count - 1)) {}
 };
 
-std::int32_t best_of(ImageView<const std::int32_t> cells, CellRange angles, CellRange distances) {
+std::int32_t best_of(const HoughVotesView& cells, CellRange angles, CellRange distances) {
   std::int32_t best = 0;
   for (std::int32_t n = angles.first; n <= angles.last; ++n) {
-    const std::int32_t* row = cells.row(n);
-    for (std::int32_t r = distances.first; r <= distances.last; ++r) best = std::max(best, row[r]);
+    for (std::int32_t r = distances.first; r <= distances.last; ++r) best = std::max(best, cells.at(r, n));
   }
   return best;
 }
 
-std::int32_t most_votes(ImageView<const std::int32_t> cells) {
+std::int32_t most_votes(const HoughVotesView& cells) {
   return best_of(cells, {0, 1.0 * cells.height, cells.height}, {0, 1.0 * cells.width, cells.width});
 }
 
 void draw_body(const ExplainRun& run, const RhoAxis& axis, std::int32_t most, Image<Rgb>& picture) {
-  const ImageView<const std::int32_t> cells = run.votes.accumulator();
+  const HoughVotesView cells = run.votes.accumulator();
   const auto step = static_cast<double>(run.votes.grid().rho_step);
   const double middle = (cells.width - 1) / 2 + 0.5;
   const double whole = std::max(most, 1);

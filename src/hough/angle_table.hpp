@@ -16,10 +16,14 @@ void fill_angles_by_adding(HoughJob& job) noexcept;
 /// The progressive method's angles: n times the step, in double.
 void fill_angles_by_multiplying(HoughJob& job) noexcept;
 
+/// 1.5 * 2^23, and its bits.
+inline constexpr float rounding_float = 12582912.0F;
+inline constexpr std::uint32_t rounding_bits = 0x4B400000;
+
 /// Nearest integer, halves to even, for |x| < 2^22: adding 1.5 * 2^23 puts the integer into the
 /// float's low bits. Distances are fewer than 2^22, and so |x| is below 2^21 and a bit.
 inline std::int32_t round_even(float x) noexcept {
-  return std::bit_cast<std::int32_t>(x + 12582912.0F) - 0x4B400000;
+  return static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(x + rounding_float) - rounding_bits);
 }
 
 /// The distance cell of (x, y) at angle n, before the middle is added.

@@ -59,13 +59,4 @@ HoughResult HoughLines::run(GrayView edges, GradientView gradients, std::span<Ho
   return job.result;
 }
 
-ImageView<const std::int32_t> HoughLines::accumulator() const noexcept {
-  if (grid_.status != Status::ok) return {};
-  const Size cells{grid_.distances, grid_.angles};
-  const std::int32_t* first = memory_.cells.data() + hough_guard;
-  if (options_.method != HoughMethod::standard) return {first, cells};
-  const std::ptrdiff_t row = grid_.distances + 2 * hough_guard;
-  return {first + row * hough_guard, cells, row * static_cast<std::ptrdiff_t>(sizeof(std::int32_t))};
-}
-
 }  // namespace straightedge

@@ -33,6 +33,7 @@ PixelBuckets::PixelBuckets(HoughJob& job) noexcept
     ++starts_[bucket_of(x, y)];
   });
   for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+  if (size() > points_.size()) return;
   for_each_pixel(job.edges, [&](std::uint32_t x, std::uint32_t y) {
     points_[--starts_[bucket_of(x, y)]] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
   });

@@ -14,7 +14,8 @@ namespace straightedge::hough {
 /// left the mask stay listed until `compact`; the caller draws again.
 class PixelBuckets {
  public:
-  /// Lists the pixels of the mask, which it copies from the edge image.
+  /// Lists the pixels of the mask, which it copies from the edge image. Where `size` is more than there is
+  /// room for, none are listed.
   explicit PixelBuckets(HoughJob& job) noexcept;
 
   /// Drops those that have left the mask. Time: pixels listed, plus squares.

@@ -3,6 +3,8 @@
 #include "straightedge/hough_progressive.hpp"
 
 #include "hough/angle_table.hpp"
+#include "hough/cells.hpp"
+#include "hough/compact_rows.hpp"
 #include "hough/fixed_walk.hpp"
 #include "hough/gradient_window.hpp"
 #include "hough/opencv_generator.hpp"
@@ -12,14 +14,8 @@ namespace straightedge {
 namespace {
 
 using hough::AngleWindow;
+using hough::Candidate;
 using hough::FixedWalk;
-
-enum PixelState : std::uint8_t { gone = 0, waiting = 1, voted = 2 };
-
-struct Candidate {
-  std::int32_t votes = 0;
-  std::int32_t angle = -1;  ///< negative: no angle has enough votes
-};
 
 /// How far the walk got to one side.
 struct WalkEnd {
@@ -27,61 +23,48 @@ struct WalkEnd {
   std::int32_t y = 0;
 };
 
-std::uint8_t& state(HoughJob& job, std::int32_t x, std::int32_t y) noexcept {
-  const auto width = static_cast<std::size_t>(job.edges.width);
-  return job.memory.mask[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
+PixelStates states(const HoughJob& job) noexcept {
+  return {job.memory.mask.data(), job.edges.width};
 }
 
+/// Four pixels make a byte of states, and most fours have no edge pixel.
+bool any_edge(const std::uint8_t* four) noexcept {
+  return (four[0] | four[1] | four[2] | four[3]) != 0;
+}
+
+/// Counts the edge pixels, and lists those for which there is room.
 std::uint32_t list_pixels(HoughJob& job) noexcept {
+  const PixelStates all = states(job);
   std::uint32_t count = 0;
+  for (std::uint8_t& four : job.memory.mask) four = 0;
   for (std::int32_t y = 0; y < job.edges.height; ++y) {
     const std::uint8_t* row = job.edges.row(y);
     for (std::int32_t x = 0; x < job.edges.width; ++x) {
-      state(job, x, y) = row[x] != 0 ? waiting : gone;
+      while (x + 4 <= job.edges.width && !any_edge(row + x)) x += 4;
+      if (x == job.edges.width) break;
       if (row[x] == 0) continue;
-      job.memory.points[count++] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
+      all.set(x, y, PixelState::waiting);
+      if (count < job.memory.points.size())
+        job.memory.points[count] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
+      ++count;
     }
   }
   return count;
 }
 
-/// Adds `weight` to the cells of pixel (x, y) at angles [first, end). Returns the first angle whose cell
-/// exceeds `best`, and raises `best` to it.
-void vote(HoughJob& job, std::int32_t x, std::int32_t y, std::int32_t first, std::int32_t end,
-          Candidate& best) noexcept {
-  const auto u = static_cast<float>(x);
-  const auto v = static_cast<float>(y);
-  std::int32_t* row = job.memory.cells.data() + hough_guard + (job.grid.distances - 1) / 2 +
-                      static_cast<std::ptrdiff_t>(first) * job.grid.distances;
-  for (std::int32_t n = first; n < end; ++n, row += job.grid.distances) {
-    const std::int32_t votes = ++row[hough::distance_cell(job.memory, static_cast<std::size_t>(n), u, v)];
-    if (votes > best.votes) best = {votes, n};
-  }
-}
-
-void take_votes_off(HoughJob& job, std::int32_t x, std::int32_t y, std::int32_t first,
-                    std::int32_t end) noexcept {
-  const auto u = static_cast<float>(x);
-  const auto v = static_cast<float>(y);
-  std::int32_t* row = job.memory.cells.data() + hough_guard + (job.grid.distances - 1) / 2 +
-                      static_cast<std::ptrdiff_t>(first) * job.grid.distances;
-  for (std::int32_t n = first; n < end; ++n, row += job.grid.distances)
-    --row[hough::distance_cell(job.memory, static_cast<std::size_t>(n), u, v)];
-}
-
 Candidate vote_in_window(HoughJob& job, PixelPlace pixel) noexcept {
-  Candidate best{job.options.threshold - 1, -1};
   const AngleWindow window = hough::angle_window(job, pixel.x, pixel.y);
-  vote(job, pixel.x, pixel.y, window.first, window.end, best);
-  vote(job, pixel.x, pixel.y, 0, window.wrapped, best);
-  return best;
+  const Candidate none{job.options.threshold - 1, -1};
+  const Candidate best = hough::cast_votes(job.memory, pixel, {window.first, window.end}, none);
+  return hough::cast_votes(job.memory, pixel, {0, window.wrapped}, best);
 }
 
-WalkEnd find_end(HoughJob& job, FixedWalk walk, PixelPlace start, double max_gap) noexcept {
+WalkEnd find_end(const HoughJob& job, FixedWalk walk, PixelPlace start, std::int32_t max_gap) noexcept {
+  const PixelStates all = states(job);
   WalkEnd end{start.x, start.y};
   std::int32_t gap = 0;
   for (; job.edges.contains(walk.x(), walk.y()); walk.advance()) {
-    if (state(job, walk.x(), walk.y()) != gone) {
+    if (all.at(walk.x(), walk.y()) != PixelState::gone) {
       gap = 0;
       end = {walk.x(), walk.y()};
     } else if (++gap > max_gap) {
@@ -94,17 +77,19 @@ WalkEnd find_end(HoughJob& job, FixedWalk walk, PixelPlace start, double max_gap
 /// Takes the pixels up to `end` out of the image, and their votes off if `off` says so.
 template <class TakeOff>
 bool take_pixels(HoughJob& job, FixedWalk walk, WalkEnd end, TakeOff off, std::int32_t& pixels) noexcept {
+  const PixelStates all = states(job);
   for (;; walk.advance()) {
     const std::int32_t x = walk.x();
     const std::int32_t y = walk.y();
-    std::uint8_t& mark = state(job, x, y);
-    if (mark != gone) {
-      if (off(mark)) {
+    const PixelState state = all.at(x, y);
+    if (state != PixelState::gone) {
+      if (off(state)) {
+        const PixelPlace pixel{static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
         const AngleWindow window = hough::angle_window(job, x, y);
-        take_votes_off(job, x, y, window.first, window.end);
-        take_votes_off(job, x, y, 0, window.wrapped);
+        hough::take_votes_off(job.memory, pixel, {window.first, window.end});
+        hough::take_votes_off(job.memory, pixel, {0, window.wrapped});
       }
-      mark = gone;
+      all.set(x, y, PixelState::gone);
       ++pixels;
       if (!job.tell({.step = HoughStep::removal, .x0 = x, .y0 = y})) return false;
     }
@@ -123,7 +108,9 @@ bool long_enough(const HoughJob& job, const HoughSegment& s) noexcept {
 /// Steps 4 to 6 for one candidate.
 bool follow(HoughJob& job, PixelPlace pixel, Candidate candidate) noexcept {
   const bool as_opencv = job.options.generator == HoughGenerator::opencv;
-  const double max_gap = as_opencv ? detail::round_even(job.options.max_gap) : job.options.max_gap;
+  // Holes are whole pixels.
+  const auto max_gap =
+      static_cast<std::int32_t>(as_opencv ? detail::round_even(job.options.max_gap) : job.options.max_gap);
   const auto n = static_cast<std::size_t>(candidate.angle);
   const FixedWalk ahead(pixel, -job.memory.sines[n], job.memory.cosines[n]);
   // Step 4.
@@ -132,7 +119,9 @@ bool follow(HoughJob& job, PixelPlace pixel, Candidate candidate) noexcept {
   HoughSegment segment{first.x, first.y, second.x, second.y, candidate.votes, 0};
   const bool keep = long_enough(job, segment);
   // Step 5.
-  const auto off = [as_opencv, keep](std::uint8_t mark) { return as_opencv ? keep : mark == voted; };
+  const auto off = [as_opencv, keep](PixelState state) {
+    return as_opencv ? keep : state == PixelState::voted;
+  };
   if (!take_pixels(job, ahead, first, off, segment.pixels)) return false;
   if (!take_pixels(job, ahead.turned(), second, off, segment.pixels)) return false;
   // Step 6.
@@ -151,9 +140,12 @@ bool follow(HoughJob& job, PixelPlace pixel, Candidate candidate) noexcept {
 bool run_progressive(HoughJob& job) noexcept {
   // Step 1.
   hough::fill_angles_by_multiplying(job);
-  for (std::int32_t& cell : job.memory.cells) cell = 0;
+  hough::lay_out_rows(job);
+  hough::clear_cells(job.memory);
   job.result.edge_pixels = list_pixels(job);
+  if (job.result.edge_pixels > job.memory.points.size()) return job.stop(Status::too_large);
 
+  const PixelStates all = states(job);
   Pcg32 pcg(job.options.seed);
   hough::OpencvGenerator opencv;
   for (std::uint32_t left = job.result.edge_pixels; left > 0; --left) {
@@ -163,10 +155,10 @@ bool run_progressive(HoughJob& job) noexcept {
     const PixelPlace pixel = job.memory.points[index];
     job.memory.points[index] = job.memory.points[left - 1];
     ++job.result.draws;
-    if (state(job, pixel.x, pixel.y) == gone) continue;
+    if (all.at(pixel.x, pixel.y) == PixelState::gone) continue;
     // Step 3.
     const Candidate candidate = vote_in_window(job, pixel);
-    state(job, pixel.x, pixel.y) = voted;
+    all.set(pixel.x, pixel.y, PixelState::voted);
     if (!job.tell({.step = HoughStep::vote, .x0 = pixel.x, .y0 = pixel.y, .votes = candidate.votes}))
       return false;
     if (candidate.angle >= 0 && !follow(job, pixel, candidate)) return false;

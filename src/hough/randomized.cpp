@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/hough_randomized.hpp"
 
+#include "hough/cells.hpp"
 #include "hough/fit_piece.hpp"
 #include "hough/gradient_window.hpp"
 #include "hough/pixel_buckets.hpp"
@@ -76,7 +77,7 @@ bool directions_fit(const HoughJob& job, const Pair& pair, const ExactLine& line
 }
 
 /// Step 3's cell. The line theta = pi is that of theta = 0 with the other sign of rho.
-std::int32_t& cell_of(HoughJob& job, const PairLine& pair) noexcept {
+std::size_t cell_of(const HoughJob& job, const PairLine& pair) noexcept {
   const double centre_x = (job.edges.width - 1) / 2.0;
   const double centre_y = (job.edges.height - 1) / 2.0;
   double rho = pair.line.rho - centre_x * pair.line.cosine - centre_y * pair.line.sine;
@@ -88,9 +89,17 @@ std::int32_t& cell_of(HoughJob& job, const PairLine& pair) noexcept {
   }
   const auto r = static_cast<std::int32_t>(detail::round_even(rho / static_cast<double>(job.grid.rho_step))) +
                  (job.grid.distances - 1) / 2;
-  return job.memory.cells[static_cast<std::size_t>(hough_guard) +
-                          static_cast<std::size_t>(n) * static_cast<std::size_t>(job.grid.distances) +
-                          static_cast<std::size_t>(r)];
+  return static_cast<std::size_t>(hough_guard) +
+         static_cast<std::size_t>(n) * static_cast<std::size_t>(job.grid.distances) +
+         static_cast<std::size_t>(r);
+}
+
+/// Adds to a cell and returns its votes.
+std::int32_t add_votes(const HoughJob& job, std::size_t index, std::int32_t votes) noexcept {
+  return hough::with_cells(job.memory, [=]<class Cell>(Cell* cells) noexcept {
+    cells[index] = static_cast<Cell>(cells[index] + votes);
+    return std::int32_t{cells[index]};
+  });
 }
 
 /// Step 4. False: there is no line of min_length here.
@@ -140,8 +149,8 @@ bool one_draw(HoughJob& job, const PixelBuckets& buckets, Pcg32& random, std::ui
   const PairLine through = line_through(pair);
   if (!directions_fit(job, pair, through.line)) return true;
   // Step 3.
-  std::int32_t& cell = cell_of(job, through);
-  const std::int32_t votes = ++cell;
+  const std::size_t cell = cell_of(job, through);
+  const std::int32_t votes = add_votes(job, cell, 1);
   if (!job.tell({.step = HoughStep::vote,
                  .x0 = pair.first.x,
                  .y0 = pair.first.y,
@@ -154,11 +163,11 @@ bool one_draw(HoughJob& job, const PixelBuckets& buckets, Pcg32& random, std::ui
   // Step 4.
   ExactLine line = through.line;
   if (!verify(job, pair.first, line)) {
-    --cell;
+    add_votes(job, cell, -1);
     return true;
   }
   // Step 5.
-  cell = 0;
+  add_votes(job, cell, -votes);
   return take_line(job, line, votes, taken);
 }
 
@@ -166,11 +175,12 @@ bool one_draw(HoughJob& job, const PixelBuckets& buckets, Pcg32& random, std::ui
 
 bool run_randomized(HoughJob& job) noexcept {
   // Step 1.
-  for (std::int32_t& cell : job.memory.cells) cell = 0;
+  hough::clear_cells(job.memory);
   PixelBuckets buckets(job);
   Pcg32 random(job.options.seed);
   std::uint32_t left = buckets.size();
   job.result.edge_pixels = left;
+  if (left > job.memory.points.size()) return job.stop(Status::too_large);
 
   const std::uint64_t most = most_draws(job);
   std::uint64_t fruitless = 0;

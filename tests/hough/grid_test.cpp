@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 
-#include "hough/angle_table.hpp"
+#include "hough/compact_rows.hpp"
 #include "hough_testing.hpp"
 
 using namespace straightedge;
@@ -40,23 +40,36 @@ TEST_CASE("every pixel at every angle falls into a cell or a guard cell") {
     REQUIRE(grid.status == Status::ok);
     std::vector<float> cosines(static_cast<std::size_t>(grid.angles));
     std::vector<float> sines(cosines.size());
+    std::vector<std::uint32_t> offsets(cosines.size());
     HoughJob job;
+    job.edges = {nullptr, size};
     job.options = options;
     job.grid = grid;
     job.memory.cosines = cosines;
     job.memory.sines = sines;
+    job.memory.offsets = offsets;
     hough::fill_angles_by_multiplying(job);
+    hough::lay_out_rows(job);
     INFO(size.width << "x" << size.height << " rho_step " << options.rho_step);
     const auto right = static_cast<float>(size.width - 1);
     const auto bottom = static_cast<float>(size.height - 1);
     const std::array<std::array<float, 2>, 4> corners{{{0, 0}, {right, 0}, {0, bottom}, {right, bottom}}};
+    std::size_t next = 0;
     for (std::size_t n = 0; n < cosines.size(); ++n) {
+      const hough::Reach reach = hough::reach(size, cosines[n], sines[n]);
+      // Rows follow one another without gaps.
+      REQUIRE(hough::cell_index(offsets[n], reach.first) == next);
+      next = hough::cell_index(offsets[n], reach.last) + 1;
       for (const auto& corner : corners) {
         const std::int32_t cell =
             hough::distance_cell(job.memory, n, corner[0], corner[1]) + (grid.distances - 1) / 2;
         REQUIRE(cell >= -hough_guard);
         REQUIRE(cell < grid.distances + hough_guard);
+        const std::size_t index = hough::cell_index(job.memory, n, corner[0], corner[1]);
+        REQUIRE(index >= hough::cell_index(offsets[n], reach.first));
+        REQUIRE(index < next);
       }
     }
+    REQUIRE(next <= hough_row_cells(size, grid));
   }
 }

@@ -64,7 +64,7 @@ TEST_CASE("the trace sees every vote, line and removal") {
     CHECK(counts.votes > 0);
     std::uint64_t left = 0;
     for (int y = 0; y < 90; ++y)
-      for (int x = 0; x < 120; ++x) left += run.lines.remaining().at(x, y) != 0 ? 1 : 0;
+      for (int x = 0; x < 120; ++x) left += run.lines.remaining().at(x, y) ? 1 : 0;
     CHECK(left + counts.removals == result.edge_pixels);
   }
 }

@@ -46,7 +46,7 @@ After run(const EdgeImage& image, const HoughOptions& options, GradientView grad
     }
   }
   for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) after.voters += lines.remaining().at(x, y) != 0 ? 1 : 0;
+    for (int x = 0; x < image.width(); ++x) after.voters += lines.remaining().at(x, y) ? 1 : 0;
   return after;
 }
 

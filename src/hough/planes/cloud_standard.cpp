@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <span>
 
 #include "hough/planes/cloud_job.hpp"
 
@@ -14,14 +15,20 @@ bool votes(const CloudJob& job, std::size_t i) noexcept {
   return job.memory.free[i] % job.options.every == 0;
 }
 
-/// Some points that vote together: every direction is looked up once for all of them.
+/// Points that vote together.
 struct Voters {
-  static constexpr std::size_t room = 1024;
-  std::array<float, room> x, y, z;
+  std::span<float> x, y, z;
   std::size_t count = 0;
 };
 
-/// Step 2. `vote` is +1 or, to take votes back, −1 (as an unsigned number).
+Voters no_voters(const CloudJob& job) noexcept {
+  const std::span<float> all = job.memory.voters;
+  const std::size_t room = all.size() / 3;
+  return {all.first(room), all.subspan(room, room), all.last(room)};
+}
+
+/// Step 2 for points that vote together: every direction is looked up once for all of them. `vote` is +1 or,
+/// to take votes back, −1 (as an unsigned number).
 void cast(const Voters& voters, std::uint32_t vote, HoughAccumulator& accumulator) noexcept {
   const HoughDirections& directions = accumulator.directions();
   for (std::int32_t direction = 0; direction < directions.size(); ++direction) {
@@ -37,13 +44,13 @@ void cast(const Voters& voters, std::uint32_t vote, HoughAccumulator& accumulato
 /// The same for all free points that vote and that `takes` says.
 template <class Takes>
 void cast_all(CloudJob& job, std::uint32_t vote, Takes takes) noexcept {
-  Voters voters;
+  Voters voters = no_voters(job);
   for (std::size_t i = 0; i < job.left; ++i) {
     if (!votes(job, i) || !takes(i)) continue;
     voters.x[voters.count] = job.memory.x[i];
     voters.y[voters.count] = job.memory.y[i];
     voters.z[voters.count] = job.memory.z[i];
-    if (++voters.count < Voters::room) continue;
+    if (++voters.count < voters.x.size()) continue;
     cast(voters, vote, job.memory.accumulator);
     voters.count = 0;
   }

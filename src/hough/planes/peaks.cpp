@@ -43,6 +43,11 @@ void add_along(const Field& field, std::int32_t direction, std::int32_t k0, std:
   if (end < k1 && end > 0) sums[static_cast<std::size_t>(end - k0)] += field.along_distance(direction, end);
 }
 
+/// Few sums need more than 32 bits, and small machines divide those alone in hardware.
+void to_mean(std::uint64_t& sum, std::uint32_t count) noexcept {
+  sum = sum <= UINT32_MAX ? static_cast<std::uint32_t>(sum) / count : sum / count;
+}
+
 bool is_peak(const Field& field, std::int32_t direction, std::int32_t k) noexcept {
   const std::size_t own = field.index(direction, k);
   const std::uint32_t votes = field.values[own];
@@ -87,19 +92,19 @@ Status low_pass_votes(const HoughAccumulator& accumulator, std::span<std::uint32
     for (std::int32_t k0 = 0; k0 < accumulator.distances(); k0 += piece) {
       const std::int32_t left = accumulator.distances() - k0;
       const std::int32_t k1 = k0 + (left < piece ? left : piece);
-      // Step 1.
-      Piece own{}, sum{};
-      add_along(field, direction, k0, k1, own);
-      // Step 2.
-      std::uint64_t neighbours = 0;
+      // Step 1 for the neighbours, and their mean.
+      Piece sum{};
+      std::uint32_t neighbours = 0;
       directions.for_neighbours(direction, [&](std::int32_t other) noexcept {
         if (other == direction) return;
         add_along(field, other, k0, k1, sum);
         ++neighbours;
       });
+      for (std::int32_t k = k0; k < k1; ++k) to_mean(sum[static_cast<std::size_t>(k - k0)], neighbours);
+      // Step 1 for the cells themselves, and step 2.
+      add_along(field, direction, k0, k1, sum);
       for (std::int32_t k = k0; k < k1; ++k) {
-        const auto at = static_cast<std::size_t>(k - k0);
-        const std::uint64_t value = own[at] + sum[at] / neighbours;
+        const std::uint64_t value = sum[static_cast<std::size_t>(k - k0)];
         smooth[field.index(direction, k)] =
             value < UINT32_MAX ? static_cast<std::uint32_t>(value) : UINT32_MAX;
       }
