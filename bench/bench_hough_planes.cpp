@@ -102,12 +102,12 @@ Frame room(Size size) {
 void run_patches(benchmark::State& state, const Frame& frame) {
   const HoughPatchOptions options;
   std::vector<std::byte> memory(HoughPatchSearch::workspace_bytes(frame.inverse_depth.size(), options));
-  std::vector<HoughPlaneCandidate> candidates(64);
+  std::vector<ProposedPlane> candidates(64);
   HoughPatchSearch search;
   require(HoughPatchSearch::prepare(search, frame.inverse_depth.size(), options, memory));
   HoughPatchResult result;
   for (auto _ : state) {
-    result = search.run(frame.inverse_depth, frame.camera, {}, {}, candidates);
+    result = search.run(frame.inverse_depth, frame.camera, {}, candidates);
     benchmark::ClobberMemory();
   }
   require(result.status);

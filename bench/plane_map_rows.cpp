@@ -76,14 +76,14 @@ auto prepare_hough_search(Size size) {
   struct Work {
     DepthScene scene;
     std::vector<std::byte> workspace;
-    std::vector<HoughPlaneCandidate> candidates;
+    std::vector<ProposedPlane> candidates;
     HoughPatchSearch search;
   };
-  auto w = std::make_shared<Work>(Work{make_depth_scene(size), {}, std::vector<HoughPlaneCandidate>(64), {}});
+  auto w = std::make_shared<Work>(Work{make_depth_scene(size), {}, std::vector<ProposedPlane>(64), {}});
   w->workspace.resize(HoughPatchSearch::workspace_bytes(size, {}));
   require(HoughPatchSearch::prepare(w->search, size, {}, w->workspace), "prepare search");
   return [w] {
-    const auto result = w->search.run(w->scene.inverse_depth.view(), w->scene.camera, {}, {}, w->candidates);
+    const auto result = w->search.run(w->scene.inverse_depth.view(), w->scene.camera, {}, w->candidates);
     require(result.status, "search");
     require_some(result.candidates, "candidates");
   };

@@ -39,10 +39,10 @@ auto prepare_search(Size size) {
   struct Work {
     DepthScene scene;
     std::vector<std::byte> workspace;
-    std::vector<PlaneCandidate> candidates;
+    std::vector<ProposedPlane> candidates;
     RansacSearch search;
   };
-  auto w = std::make_shared<Work>(Work{make_depth_scene(size), {}, std::vector<PlaneCandidate>(64), {}});
+  auto w = std::make_shared<Work>(Work{make_depth_scene(size), {}, std::vector<ProposedPlane>(64), {}});
   w->workspace.resize(RansacSearch::workspace_bytes(size, {}));
   require(RansacSearch::prepare(w->search, size, {}, w->workspace), "prepare search");
   return [w] {

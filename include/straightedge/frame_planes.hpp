@@ -12,6 +12,7 @@
 #include "straightedge/depth_view.hpp"
 #include "straightedge/detail/quadratic_surface.hpp"
 #include "straightedge/found_planes.hpp"
+#include "straightedge/frame_planes_options.hpp"
 #include "straightedge/frame_planes_search.hpp"
 #include "straightedge/inverse_depth.hpp"
 
@@ -19,34 +20,6 @@ namespace straightedge {
 
 namespace detail {
 class PlaneSurfaces;
-}
-
-struct FramePlanesOptions {
-  PlaneGate gate;
-  /// A plane with fewer pixels leaves; 0: one thousandth of the picture, at least 64.
-  std::uint32_t min_pixels = 0;
-  std::uint32_t max_planes = 64;  ///< at most 256
-  std::uint32_t rounds = 2;       ///< searches at most, each on what is left over; 1 to 8
-  /// Neighbours of a reading share its noise; so many pixels count as one independent reading. 1 to 1000.
-  double noise_pixels = 28;
-  /// Real frames stray further from planes than the noise model says; residuals may be so many times larger
-  /// in every test. 1 to 10.
-  double slack = 1.4;
-  bool reject_curved = true;  ///< flat strips of balls and pillars are no planes
-};
-
-/// What min_pixels comes to for pictures of a size.
-constexpr std::uint32_t least_pixels(Size size, const FramePlanesOptions& options) noexcept {
-  if (options.min_pixels > 0) return options.min_pixels;
-  const std::size_t share = DepthCells::cell_count(size) / 1000;
-  return share > 64 ? static_cast<std::uint32_t>(share < 0xFFFFFFF ? share : 0xFFFFFFF) : 64U;
-}
-
-/// The gate with its noise as `slack` widens it: the one for the search, too.
-constexpr PlaneGate widened(const FramePlanesOptions& options) noexcept {
-  PlaneGate gate = options.gate;
-  gate.inverse_sigma *= options.slack;
-  return gate;
 }
 
 /// All planes of a depth frame, with a label for each pixel, from the candidates of any search.
@@ -74,7 +47,9 @@ constexpr PlaneGate widened(const FramePlanesOptions& options) noexcept {
 /// pixel. A frame without readings has no planes: an empty result.
 class FramePlanes {
  public:
+  /// 0 for a size or options that `prepare` refuses.
   static constexpr std::size_t workspace_bytes(Size size, const FramePlanesOptions& options) noexcept {
+    if (!detail::valid(options) || check(size) != Status::ok) return 0;
     Arena arena = Arena::measure();
     FramePlanes counted;
     counted.take(arena, size, options);
@@ -85,7 +60,8 @@ class FramePlanes {
   Status prepare(Size size, const FramePlanesOptions& options, std::span<std::byte> workspace) noexcept;
 
   /// `labels` has the frame's size; `planes` as many entries as planes are wanted (output_full when more
-  /// were found; the smaller ones then are unlabelled). Label k is planes[k − 1].
+  /// were found; the smaller ones then are unlabelled). Label k is planes[k − 1]. What the search refuses,
+  /// such as a frame of another size than it was prepared for, comes back as its status.
   Status run(const DepthView& depth, const PlaneSearch& search, ImageView<std::uint16_t> labels,
              std::span<FoundPlane> planes, PlanesFound& found) noexcept;
 
@@ -98,6 +74,10 @@ class FramePlanes {
   }
 
  private:
+  static constexpr Status check(Size size) noexcept {
+    if (size.width < 1 || size.height < 1) return Status::invalid_image;
+    return DepthCells::cell_count(size) > std::size_t{1} << 28U ? Status::too_large : Status::ok;
+  }
   constexpr void take(Arena& arena, Size size, const FramePlanesOptions& options) noexcept {
     size_ = size;
     const std::size_t pixels = DepthCells::cell_count(size);
@@ -116,15 +96,15 @@ class FramePlanes {
     sums_ = arena.take<detail::QuadraticSums>(options.max_planes);
     contacts_ = arena.take<std::uint32_t>(std::size_t{options.max_planes} * options.max_planes);
     moments_ = arena.take<InverseDepthMoments>(options.max_planes);
+    becomes_ = arena.take<std::uint16_t>(options.max_planes);
+    new_label_ = arena.take<std::uint16_t>(std::size_t{options.max_planes} + 1);
   }
-  void search_round(const DepthView& depth, const PlaneSearch& search, ImageView<const std::uint16_t> labels,
-                    PlanesFound& found) noexcept;
+  Status search_round(const DepthView& depth, const PlaneSearch& search,
+                      ImageView<const std::uint16_t> labels, PlanesFound& found) noexcept;
   void assign_cells() noexcept;
   void refit(const PinholeCamera& camera) noexcept;
-  void join(const detail::PlaneSurfaces& fitting, std::span<std::uint16_t> becomes) noexcept;
-  /// What becomes of each plane: itself, an earlier one that it is joined into, or gone.
-  using Becomes = std::array<std::uint16_t, 256>;
-  void keep(const Becomes& becomes) noexcept;
+  void join(const detail::PlaneSurfaces& fitting) noexcept;
+  void keep() noexcept;
   void judge(const PinholeCamera& camera, bool last) noexcept;
   void clear_cell(std::int32_t cell) noexcept;
   Status finish(const DepthView& depth, ImageView<std::uint16_t> labels, std::span<FoundPlane> planes,
@@ -144,6 +124,10 @@ class FramePlanes {
   std::span<detail::QuadraticSums> sums_;
   std::span<std::uint32_t> contacts_;  // pairs of touching cells of two planes, a square table
   std::span<InverseDepthMoments> moments_;
+  /// What becomes of each plane: itself, an earlier one that it is joined into, or gone; in the end their
+  /// order.
+  std::span<std::uint16_t> becomes_;
+  std::span<std::uint16_t> new_label_;  // of each label
   std::uint32_t count_ = 0;
 };
 

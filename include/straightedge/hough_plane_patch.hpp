@@ -5,15 +5,18 @@
 #include <array>
 #include <cstdint>
 
+#include "straightedge/frame_planes_options.hpp"
 #include "straightedge/hough_accumulator.hpp"
 #include "straightedge/inverse_depth.hpp"
 #include "straightedge/plane.hpp"
+#include "straightedge/plane_gate.hpp"
 #include "straightedge/status.hpp"
 
 namespace straightedge {
 
 /// A number that is NaN or outside its range gives `invalid_option`.
 struct HoughPatchOptions {
+  PlaneGate gate = {};
   HoughAccumulatorOptions accumulator{HoughCells::ball, 30, 96};
   double max_distance_m = 8;         ///< of planes from the camera, (0, 1e6]; farther ones share a cell
   std::int32_t largest_patch = 64;   ///< pixels: 8, 16, 32 or 64
@@ -25,6 +28,15 @@ struct HoughPatchOptions {
   std::int32_t max_candidates = 64;  ///< [1, 1024]
   std::int32_t rounds = 2;           ///< votings; each after the first by what is left, [1, 16]
 };
+
+/// The options for a search of FramePlanes with these: its gate, and planes as small as it wants.
+constexpr HoughPatchOptions for_frame(HoughPatchOptions search, Size size,
+                                      const FramePlanesOptions& frame) noexcept {
+  const std::uint32_t least = least_pixels(size, frame);
+  search.gate = widened(frame);
+  if (least < search.min_pixels) search.min_pixels = least;
+  return search;
+}
 
 /// A square of the depth picture whose readings lie on one plane within their noise.
 struct HoughPatch {
@@ -54,14 +66,6 @@ struct HoughPatchMean {
   std::uint32_t patch = 0;
 };
 
-/// A plane that many patches share.
-struct HoughPlaneCandidate {
-  InverseDepthFit fit;       ///< to the readings of its patches
-  std::uint32_t votes = 0;   ///< of the accumulator's cell that led to it
-  std::uint32_t pixels = 0;  ///< readings of its patches
-  std::uint32_t patches = 0;
-};
-
 struct HoughPatchResult {
   Status status = Status::not_prepared;
   std::uint32_t candidates = 0;  ///< written
@@ -85,7 +89,7 @@ constexpr bool valid(const HoughPatchOptions& o) noexcept {
   const bool search = o.max_distance_m > 0 && o.max_distance_m <= 1e6 && o.max_spread_rad > 0 &&
                       o.max_spread_rad <= 1 && o.max_candidates >= 1 && o.max_candidates <= 1024 &&
                       o.rounds >= 1 && o.rounds <= 16;
-  return HoughAccumulator::cell_count(o.accumulator) > 0 && sizes && noise && search;
+  return o.gate.valid() && HoughAccumulator::cell_count(o.accumulator) > 0 && sizes && noise && search;
 }
 
 }  // namespace detail

@@ -9,11 +9,11 @@
 
 #include "straightedge/arena.hpp"
 #include "straightedge/depth_view.hpp"
+#include "straightedge/frame_planes_search.hpp"
 #include "straightedge/hough_plane_patch.hpp"
 #include "straightedge/hough_plane_peaks.hpp"
 #include "straightedge/hough_plane_trace.hpp"
 #include "straightedge/image.hpp"
-#include "straightedge/plane_gate.hpp"
 
 namespace straightedge {
 
@@ -24,7 +24,7 @@ struct HoughPatchMemory {
   std::span<HoughPatch> patches;
   std::span<HoughPatchMean> means;
   std::span<HoughPlanePeak> peaks;
-  std::span<HoughPlaneCandidate> candidates;
+  std::span<ProposedPlane> candidates;
   HoughAccumulator accumulator;
 
   static constexpr std::size_t squares(Size size, std::int32_t side) noexcept {
@@ -40,7 +40,7 @@ struct HoughPatchMemory {
     patches = arena.take<HoughPatch>(squares(size, hough_patch_side));
     means = arena.take<HoughPatchMean>(squares(size, hough_patch_side));
     peaks = arena.take<HoughPlanePeak>(2 * static_cast<std::size_t>(options.max_candidates));
-    candidates = arena.take<HoughPlaneCandidate>(static_cast<std::size_t>(options.max_candidates));
+    candidates = arena.take<ProposedPlane>(static_cast<std::size_t>(options.max_candidates));
     accumulator.take(arena, options.accumulator);
   }
 };
@@ -87,7 +87,7 @@ struct HoughPatchMemory {
 /// that no order matters. Memory: 7.3 bytes a pixel and the accumulator.
 ///
 /// Bad input: invalid_image (null views, a camera that is none), size_mismatch (another size than in
-/// `prepare`), invalid_option (the gate), not_prepared. A picture without readings or planes gives an empty
+/// `prepare`), not_prepared. A picture without readings or planes gives an empty
 /// result. More candidates than fit: output_full, the first ones written.
 class HoughPatchSearch {
  public:
@@ -107,8 +107,8 @@ class HoughPatchSearch {
 
   /// `inverse_depth` as of inverse_depth_image; `mask` may be null.
   HoughPatchResult run(ImageView<const float> inverse_depth, const PinholeCamera& camera,
-                       const PlaneGate& gate, ImageView<const std::uint16_t> mask,
-                       std::span<HoughPlaneCandidate> candidates, HoughPlaneTrace trace = {}) noexcept;
+                       ImageView<const std::uint16_t> mask, std::span<ProposedPlane> candidates,
+                       HoughPlaneTrace trace = {}) noexcept;
 
   // What the last `run` left behind.
 
@@ -127,5 +127,8 @@ class HoughPatchSearch {
   detail::HoughPatchMemory memory_;
   std::size_t patches_ = 0;
 };
+
+/// As FramePlanes takes it. `search` must outlive what is returned.
+PlaneSearch plane_search(HoughPatchSearch& search) noexcept;
 
 }  // namespace straightedge

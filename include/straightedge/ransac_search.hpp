@@ -7,36 +7,12 @@
 #include <span>
 
 #include "straightedge/arena.hpp"
+#include "straightedge/frame_planes_search.hpp"
 #include "straightedge/image.hpp"
-#include "straightedge/inverse_depth.hpp"
-#include "straightedge/plane_gate.hpp"
+#include "straightedge/ransac_search_options.hpp"
 #include "straightedge/status.hpp"
 
 namespace straightedge {
-
-/// A number that is NaN or outside its range gives `invalid_option`.
-struct RansacSearchOptions {
-  PlaneGate gate = {};
-  std::int32_t cell = 4;          ///< pixels, [1, 64]: one reading of each square of this side is looked at
-  std::int32_t min_pixels = 480;  ///< of a plane, >= 1; a reading stands for cell² pixels
-  std::int32_t max_candidates = 64;  ///< [1, 65535]
-  double max_rms = 0.4;              ///< residual of a smooth plane's readings, gates, (0, 1]; see step 4
-  double rough_rms = 1;              ///< of a rough plane's, [0, 1]; 0: smooth planes alone
-  double most_noise = 3;        ///< the gate is widened at most so many times for a noisy frame, [1, 100]
-  double confidence = 0.99;     ///< (0, 1), of a window's search, see ransac_stop.hpp
-  std::int32_t max_draws = 32;  ///< triples drawn from one window, [1, 65535]
-  std::uint64_t seed = 1;
-};
-
-/// A plane that may be one.
-struct PlaneCandidate {
-  InverseDepthFit fit = {};  ///< covariance for independent readings with noise gate.inverse_sigma
-  bool rough = false;        ///< its residuals fill the gate: curved, bent, or two surfaces
-  double score = 0;          ///< sum of 1 − (residual / gate)² over its readings
-  std::uint32_t cells = 0;   ///< its readings, one a cell
-  /// Where they are: cells [column0, column1) x [row0, row1), multiples of options.cell pixels.
-  std::int32_t column0 = 0, row0 = 0, column1 = 0, row1 = 0;
-};
 
 struct RansacSearchResult {
   Status status = Status::not_prepared;
@@ -51,6 +27,15 @@ struct RansacSearchResult {
 
 namespace detail {
 
+/// The free readings of a window, ready to be drawn from and scored. Pixels count from (u0, v0).
+struct RansacWindow {
+  static constexpr std::uint32_t capacity = 304;
+  float u[capacity], v[capacity], q[capacity];
+  float x[capacity], y[capacity], z[capacity], w[capacity];  ///< u, v, 1 and q over the gate
+  std::uint32_t count;
+  std::int32_t u0, v0;
+};
+
 /// Cells in rows with a border of one, rows rounded up.
 struct RansacSearchMemory {
   std::span<float> u, v, q, w;            ///< a cell's reading: pixel, 1/z, 1 / gate
@@ -58,7 +43,8 @@ struct RansacSearchMemory {
   std::span<float> single, triple, cost;  ///< single is one row
   std::span<std::uint8_t> hit, core;
   std::span<std::int32_t> owner;
-  std::span<PlaneCandidate> candidates;
+  std::span<ProposedPlane> candidates;
+  std::span<RansacWindow> window;  ///< one
 
   static constexpr RansacSearchMemory take(Arena& arena, Size size,
                                            const RansacSearchOptions& options) noexcept {
@@ -72,17 +58,11 @@ struct RansacSearchMemory {
     m.hit = arena.take<std::uint8_t>(cells);
     m.core = arena.take<std::uint8_t>(cells);
     m.owner = arena.take<std::int32_t>(cells);
-    m.candidates = arena.take<PlaneCandidate>(static_cast<std::size_t>(options.max_candidates));
+    m.candidates = arena.take<ProposedPlane>(static_cast<std::size_t>(options.max_candidates));
+    m.window = arena.take<RansacWindow>(1);
     return m;
   }
 };
-
-constexpr bool valid(const RansacSearchOptions& o) noexcept {
-  return o.gate.valid() && o.cell >= 1 && o.cell <= 64 && o.min_pixels >= 1 && o.max_candidates >= 1 &&
-         o.max_candidates <= 65535 && o.max_rms > 0 && o.max_rms <= 1 && o.rough_rms >= 0 &&
-         o.rough_rms <= 1 && o.most_noise >= 1 && o.most_noise <= 100 && o.confidence > 0 &&
-         o.confidence < 1 && o.max_draws >= 1 && o.max_draws <= 65535;
-}
 
 }  // namespace detail
 
@@ -112,7 +92,7 @@ constexpr bool valid(const RansacSearchOptions& o) noexcept {
 /// stream 2^32 + i of the seed; all sums have a fixed order.
 ///
 /// Time: some tens of passes over the cells; for 640x480 pixels with the defaults one to two milliseconds.
-/// Memory: 38 bytes a cell. A frame without readings, or with noise alone, has no candidates.
+/// Memory: 38 bytes a cell, and 18 KB. A frame without readings, or with noise alone, has no candidates.
 class RansacSearch {
  public:
   /// 0 for a size or options that `prepare` refuses.
@@ -130,7 +110,7 @@ class RansacSearch {
   /// the gate reaches infinity (234 m by default) are none either. `mask`: pixels that are not 0 take no
   /// part; a view without data masks nothing. output_full: `out` holds the strongest.
   RansacSearchResult run(ImageView<const float> inverse_depth, ImageView<const std::uint16_t> mask,
-                         std::span<PlaneCandidate> out) noexcept;
+                         std::span<ProposedPlane> out) noexcept;
 
  private:
   static constexpr bool fits(Size size) noexcept {
@@ -142,5 +122,8 @@ class RansacSearch {
   detail::RansacSearchMemory memory_;
   bool prepared_ = false;
 };
+
+/// As FramePlanes takes it. `search` must outlive what is returned.
+PlaneSearch plane_search(RansacSearch& search) noexcept;
 
 }  // namespace straightedge

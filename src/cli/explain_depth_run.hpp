@@ -27,7 +27,7 @@ struct WatchedWindow {
 /// What the search by RANSAC left behind.
 struct RansacStage {
   RansacSearchResult result;
-  std::vector<PlaneCandidate> candidates;
+  std::vector<ProposedPlane> candidates;
   std::optional<WatchedWindow> window;
 };
 
@@ -44,7 +44,7 @@ struct HoughStage {
   std::unique_ptr<std::byte[]> memory;
   HoughPatchSearch search;
   HoughPatchResult result;
-  std::vector<HoughPlaneCandidate> candidates;
+  std::vector<ProposedPlane> candidates;
   std::uint32_t peaks = 0;         ///< looked at
   std::vector<GrownPlane> planes;  ///< in the order of their peaks
 };

@@ -87,13 +87,14 @@ void search_by_ransac(ExplainDepthRun& run) {
   stage.candidates.resize(run.options.frame.max_planes);
   stage.result = search.run(run.inverse_depth, {}, stage.candidates);
   stage.candidates.resize(stage.result.candidates);
-  for (const PlaneCandidate& candidate : stage.candidates) run.candidates.push_back(candidate.fit.plane);
+  for (const ProposedPlane& candidate : stage.candidates) run.candidates.push_back(candidate.fit.plane);
 }
 
 void search_by_hough(ExplainDepthRun& run) {
   const Size size = run.depth.raw.size();
   HoughPatchOptions options = run.options.hough;
   options.rounds = 1;
+  options.gate = widened(run.options.frame);
   HoughStage& stage = run.hough;
   const std::size_t bytes = HoughPatchSearch::workspace_bytes(size, options);
   stage.memory = std::make_unique<std::byte[]>(bytes);
@@ -101,10 +102,10 @@ void search_by_hough(ExplainDepthRun& run) {
     return;
   stage.candidates.resize(run.options.frame.max_planes);
   PeakWatcher watcher{stage, {}};
-  stage.result = stage.search.run(run.inverse_depth, run.depth.camera, widened(run.options.frame), {},
-                                  stage.candidates, {.event = note_peaks_and_planes, .user = &watcher});
+  stage.result = stage.search.run(run.inverse_depth, run.depth.camera, {}, stage.candidates,
+                                  {.event = note_peaks_and_planes, .user = &watcher});
   stage.candidates.resize(stage.result.candidates);
-  for (const HoughPlaneCandidate& candidate : stage.candidates) run.candidates.push_back(candidate.fit.plane);
+  for (const ProposedPlane& candidate : stage.candidates) run.candidates.push_back(candidate.fit.plane);
   for (GrownPlane& grown : stage.planes) {
     const InverseDepthPlane plane = to_inverse_depth(grown.plane, run.depth.camera);
     for (std::size_t k = 0; k < run.candidates.size(); ++k) {

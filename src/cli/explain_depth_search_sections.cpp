@@ -84,8 +84,8 @@ HtmlSection hypotheses_section(DepthStory& story) {
 io::HtmlTable ransac_table(const ExplainDepthRun& run) {
   io::HtmlTable table{"The strongest candidates.", {"No.", "Readings", "Score", "Kind"}, {}};
   for (std::size_t k = 0; k < run.ransac.candidates.size() && k < rows_of_tables; ++k) {
-    const PlaneCandidate& c = run.ransac.candidates[k];
-    table.rows.push_back({std::to_string(k + 1), in_words(std::int64_t{c.cells}), in_words(c.score, 1),
+    const ProposedPlane& c = run.ransac.candidates[k];
+    table.rows.push_back({std::to_string(k + 1), in_words(std::int64_t{c.readings}), in_words(c.score, 1),
                           c.rough ? "rough" : "smooth"});
   }
   return table;
@@ -157,9 +157,9 @@ io::HtmlTable hough_table(const ExplainDepthRun& run) {
   io::HtmlTable table{
       "The candidates with most readings.", {"No.", "Readings", "Patches", "Votes of the peak"}, {}};
   for (std::size_t k = 0; k < run.hough.candidates.size() && k < rows_of_tables; ++k) {
-    const HoughPlaneCandidate& c = run.hough.candidates[k];
-    table.rows.push_back({std::to_string(k + 1), in_words(std::int64_t{c.pixels}),
-                          in_words(std::int64_t{c.patches}), in_words(std::int64_t{c.votes})});
+    const ProposedPlane& c = run.hough.candidates[k];
+    table.rows.push_back({std::to_string(k + 1), in_words(std::int64_t{c.readings}),
+                          in_words(std::int64_t{c.patches}), in_words(static_cast<std::int64_t>(c.score))});
   }
   return table;
 }

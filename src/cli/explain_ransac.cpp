@@ -166,13 +166,13 @@ Image<Rgb> show_boxes(const ExplainDepthRun& run) {
     const std::uint16_t candidate = run.nearest.at(x, y);
     return candidate == 0 || candidate > shown_boxes ? base : mix(base, plane_colour(candidate), 0.35);
   });
-  const double cell = 1.0 * run.options.ransac.cell * zoom;
+  const double scale = zoom;
   for (std::size_t k = std::min(run.ransac.candidates.size(), shown_boxes); k-- > 0;) {
-    const PlaneCandidate& c = run.ransac.candidates[k];
-    draw_box(
-        picture, {c.column0 * cell, c.row0 * cell},
-        {std::min(c.column1 * cell, 1.0 * picture.width()), std::min(c.row1 * cell, 1.0 * picture.height())},
-        {plane_colour(static_cast<std::uint32_t>(k + 1)), c.rough ? 1.2 : 2.6, 1});
+    const ProposedPlane& c = run.ransac.candidates[k];
+    draw_box(picture, {c.column0 * scale, c.row0 * scale},
+             {std::min(c.column1 * scale, 1.0 * picture.width()),
+              std::min(c.row1 * scale, 1.0 * picture.height())},
+             {plane_colour(static_cast<std::uint32_t>(k + 1)), c.rough ? 1.2 : 2.6, 1});
   }
   draw_numbers(picture, run.nearest, zoom, shown_boxes);
   return picture;

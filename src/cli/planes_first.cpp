@@ -27,6 +27,7 @@ Result<FirstPlane> FirstPlane::create(Size size, const PlaneDetectorOptions& opt
   HoughPatchOptions& hough = made.options_.hough;
   hough.max_candidates = 1;
   hough.rounds = 1;
+  hough.gate = options.frame.gate;
   const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
   made.memory_.resize(ransac ? RansacPlanes::workspace_bytes(pixels, one)
                              : HoughPatchSearch::workspace_bytes(size, hough));
@@ -38,14 +39,14 @@ Result<FirstPlane> FirstPlane::create(Size size, const PlaneDetectorOptions& opt
 
 double FirstPlane::time(const DepthView& depth) {
   std::array<FoundPlane, 1> plane;
-  std::array<HoughPlaneCandidate, 1> candidate;
+  std::array<ProposedPlane, 1> candidate;
   const auto before = std::chrono::steady_clock::now();
   // A frame that a method refuses was refused by the search for all planes, which came before.
   (void)inverse_depth_image(depth, inverse_depth_.view());
   if (options_.method == PlaneMethod::ransac) {
     (void)ransac_->run(inverse_depth_, depth.camera, plane, ImageView<std::uint16_t>{});
   } else {
-    (void)hough_->run(inverse_depth_, depth.camera, options_.frame.gate, {}, candidate);
+    (void)hough_->run(inverse_depth_, depth.camera, {}, candidate);
   }
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - before;
   return time.count();

@@ -10,7 +10,7 @@
 namespace straightedge {
 namespace {
 
-constexpr std::size_t block = 128;
+constexpr std::size_t block = 64;
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 constexpr std::size_t planes_in_a_pass = 16;
 
@@ -45,43 +45,59 @@ struct Block {
   }
 };
 
-/// A plane's sums: of the points from the first one on, or of 1/z over the rays.
-struct Sums {
+/// A plane's points, counted from the first one.
+struct PointSums {
   Vector3 origin;
-  PlaneMoments points;
-  InverseDepthMoments rays;
+  PlaneMoments moments;
   std::uint32_t count = 0;
 
-  void add(const Vector3& p, double fixed_m) noexcept {
+  void add(const Vector3& p, const PlaneGate& gate) noexcept {
+    if (!finite(p)) return;
     if (count++ == 0) origin = p;
-    if (fixed_m > 0) {
-      points.add(p - origin, 9 / (fixed_m * fixed_m));
-    } else {
-      rays.add(p.x / p.z, p.y / p.z, 1 / p.z);
-    }
+    moments.add(p - origin, 9 / (gate.fixed_m * gate.fixed_m));
+  }
+  Status fit(const PlaneGate& /*gate*/, PlaneFit& fit) const noexcept {
+    const Status status = fit_plane(moments, fit);
+    if (status == Status::ok) fit = moved(fit, {1, 0, 0, 0, 1, 0, 0, 0, 1}, origin);
+    return status;
   }
 };
 
-void sum_labelled(const PointsView& points, std::span<const std::uint16_t> labels, double fixed_m,
-                  std::size_t first, std::span<Sums> sums) noexcept {
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const std::size_t index = labels[i] - std::size_t{1} - first;
-    if (index >= sums.size()) continue;
-    const Vector3 p = points.at(i);
-    if (finite(p) && (fixed_m > 0 || p.z > 0)) sums[index].add(p, fixed_m);
-  }
-}
+/// 1/z of a plane's points over their rays.
+struct RaySums {
+  InverseDepthMoments moments;
+  std::uint32_t count = 0;
 
-Status fit_sums(const Sums& sums, const PlaneGate& gate, PlaneFit& fit) noexcept {
-  if (gate.fixed_m > 0) {
-    const Status status = fit_plane(sums.points, fit);
-    if (status == Status::ok) fit = moved(fit, {1, 0, 0, 0, 1, 0, 0, 0, 1}, sums.origin);
-    return status;
+  void add(const Vector3& p, const PlaneGate& /*gate*/) noexcept {
+    if (!finite(p) || !(p.z > 0)) return;
+    ++count;
+    moments.add(p.x / p.z, p.y / p.z, 1 / p.z);
   }
-  constexpr PinholeCamera rays{1, 1, 0, 0};
-  InverseDepthFit inverse;
-  const Status status = fit_inverse_depth(sums.rays, gate.inverse_sigma, inverse);
-  return status == Status::ok ? to_plane_fit(inverse, gate.inverse_sigma, rays, fit) : status;
+  Status fit(const PlaneGate& gate, PlaneFit& fit) const noexcept {
+    constexpr PinholeCamera rays{1, 1, 0, 0};
+    InverseDepthFit inverse;
+    const Status status = fit_inverse_depth(moments, gate.inverse_sigma, inverse);
+    return status == Status::ok ? to_plane_fit(inverse, gate.inverse_sigma, rays, fit) : status;
+  }
+};
+
+/// Some planes in one pass over the points, so that their sums fit a small stack.
+template <class Sums>
+void refit_by(const PointsView& points, std::span<const std::uint16_t> labels, const PlaneGate& gate,
+              std::span<FoundPlane> planes) noexcept {
+  for (std::size_t first = 0; first < planes.size(); first += planes_in_a_pass) {
+    std::array<Sums, planes_in_a_pass> sums{};
+    for (std::size_t i = 0; i < points.count; ++i) {
+      const std::size_t index = labels[i] - std::size_t{1} - first;
+      if (index < planes_in_a_pass) sums[index].add(points.at(i), gate);
+    }
+    for (std::size_t i = 0; i < planes_in_a_pass && first + i < planes.size(); ++i) {
+      FoundPlane& plane = planes[first + i];
+      plane.inliers = sums[i].count;
+      PlaneFit fit;
+      if (sums[i].fit(gate, fit) == Status::ok) plane.fit = fit;
+    }
+  }
 }
 
 }  // namespace
@@ -116,17 +132,10 @@ Status refit_labelled(const PointsView& points, std::span<const std::uint16_t> l
   if (!points.valid()) return Status::invalid_image;
   if (!gate.valid()) return Status::invalid_option;
   if (labels.size() != points.count) return Status::size_mismatch;
-  for (std::size_t first = 0; first < planes.size(); first += planes_in_a_pass) {
-    const std::size_t left = planes.size() - first;
-    std::array<Sums, planes_in_a_pass> memory{};
-    const std::span<Sums> sums(memory.data(), left < planes_in_a_pass ? left : planes_in_a_pass);
-    sum_labelled(points, labels, gate.fixed_m, first, sums);
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-      FoundPlane& plane = planes[first + i];
-      plane.inliers = sums[i].count;
-      PlaneFit fit;
-      if (fit_sums(sums[i], gate, fit) == Status::ok) plane.fit = fit;
-    }
+  if (gate.fixed_m > 0) {
+    refit_by<PointSums>(points, labels, gate, planes);
+  } else {
+    refit_by<RaySums>(points, labels, gate, planes);
   }
   return Status::ok;
 }

@@ -14,13 +14,7 @@
 namespace straightedge {
 namespace {
 
-constexpr std::uint32_t most_planes = 256;
 constexpr std::uint16_t gone = 0xFFFF;
-
-bool valid(const FramePlanesOptions& o) noexcept {
-  return o.gate.valid() && o.max_planes >= 1 && o.max_planes <= most_planes && o.rounds >= 1 &&
-         o.rounds <= 8 && o.noise_pixels >= 1 && o.noise_pixels <= 1000 && o.slack >= 1 && o.slack <= 10;
-}
 
 /// Indices of the planes, the one with most pixels first, then in their order.
 void sort_by_pixels(std::span<const InverseDepthMoments> moments, std::span<std::uint16_t> order) noexcept {
@@ -50,8 +44,7 @@ void count_contacts(Size size, std::span<const std::uint16_t> labels, std::size_
   }
 }
 
-std::uint32_t relabel(ImageView<std::uint16_t> labels,
-                      const std::array<std::uint16_t, most_planes + 1>& by) noexcept {
+std::uint32_t relabel(ImageView<std::uint16_t> labels, std::span<const std::uint16_t> by) noexcept {
   std::uint32_t labelled = 0;
   for (std::int32_t y = 0; y < labels.height; ++y) {
     std::uint16_t* row = labels.row(y);
@@ -68,10 +61,8 @@ std::uint32_t relabel(ImageView<std::uint16_t> labels,
 Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
                             std::span<std::byte> workspace) noexcept {
   prepared_ = false;
-  if (!valid(options)) return Status::invalid_option;
-  if (size.width < 1 || size.height < 1) return Status::invalid_image;
-  const std::size_t pixels = DepthCells::cell_count(size);
-  if (pixels > std::size_t{1} << 28U) return Status::too_large;
+  if (!detail::valid(options)) return Status::invalid_option;
+  if (const Status status = check(size); status != Status::ok) return status;
   Arena arena(workspace);
   take(arena, size, options);
   if (arena.failed()) return Status::workspace_too_small;
@@ -91,24 +82,23 @@ void FramePlanes::refit(const PinholeCamera& camera) noexcept {
   // Step 4.
   const detail::PlaneSurfaces fitting(size_, camera, options_);
   fitting.sum(cells_, cell_labels_[0], sums_.first(count_));
-  Becomes becomes{};
   for (std::uint16_t k = 0; k < count_; ++k) {
     const bool stays = sums_[k].n >= min_pixels_ / 2.0 && fitting.fit(sums_[k], surfaces_[k]);
-    becomes[k] = stays ? k : gone;
+    becomes_[k] = stays ? k : gone;
   }
-  join(fitting, becomes);
-  keep(becomes);
+  join(fitting);
+  keep();
 }
 
-void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::span<std::uint16_t> becomes) noexcept {
+void FramePlanes::join(const detail::PlaneSurfaces& fitting) noexcept {
   const std::span<std::uint32_t> contacts = contacts_.first(std::size_t{count_} * count_);
   count_contacts(cells_.size(0), cell_labels_[0], count_, contacts);
   for (std::uint16_t i = 0; i < count_; ++i) {
-    if (becomes[i] != i) continue;
+    if (becomes_[i] != i) continue;
     for (std::uint16_t j = i + 1U; j < count_; ++j) {
       detail::BentPlane both;
       const std::uint32_t touching = contacts[std::size_t{i} * count_ + j];
-      if (becomes[j] != j || !fitting.are_one(sums_[i], sums_[j], touching, both)) continue;
+      if (becomes_[j] != j || !fitting.are_one(sums_[i], sums_[j], touching, both)) continue;
       surfaces_[i] = both;
       sums_[i].add(sums_[j]);
       for (std::size_t k = 0; k < count_; ++k) {
@@ -117,23 +107,24 @@ void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::span<std::uint
       }
       candidates_[i].score += candidates_[j].score;
       candidates_[i].confidence = std::max(candidates_[i].confidence, candidates_[j].confidence);
-      becomes[j] = i;
+      becomes_[j] = i;
       j = i;  // the joined plane has moved: those that were refused may fit now
     }
   }
 }
 
-void FramePlanes::keep(const Becomes& becomes) noexcept {
-  std::array<std::uint16_t, most_planes + 1> label{};
+void FramePlanes::keep() noexcept {
+  const std::span<std::uint16_t> label = new_label_;
+  std::fill(label.begin(), label.end(), std::uint16_t{0});
   std::uint32_t kept = 0;
   for (std::uint32_t k = 0; k < count_; ++k) {
-    if (becomes[k] == k) {
+    if (becomes_[k] == k) {
       candidates_[kept] = candidates_[k];
       surfaces_[kept] = surfaces_[k];
       sums_[kept] = sums_[k];
       label[k + 1] = static_cast<std::uint16_t>(++kept);
-    } else if (becomes[k] != gone) {
-      label[k + 1] = label[becomes[k] + 1U];  // joined into an earlier plane
+    } else if (becomes_[k] != gone) {
+      label[k + 1] = label[becomes_[k] + 1U];  // joined into an earlier plane
     }
   }
   count_ = kept;
@@ -144,14 +135,13 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
   // Step 5.
   const detail::ShapeMemory memory{visited_, list_};
   std::fill(visited_.begin(), visited_.end(), std::uint16_t{0});
-  Becomes becomes{};
   bool changed = false;
   for (std::uint16_t k = 0; k < count_; ++k) {
     std::size_t solid = 0;
     const auto label = static_cast<std::uint16_t>(k + 1);
     const detail::PlaneShape shape = detail::plane_shape(cells_, cell_labels_[0], label, surfaces_[k],
                                                          options_, min_pixels_, camera, memory, last, solid);
-    becomes[k] = shape == detail::PlaneShape::flat ? k : gone;
+    becomes_[k] = shape == detail::PlaneShape::flat ? k : gone;
     if (shape != detail::PlaneShape::bent) continue;
     changed = true;
     for (const std::int32_t cell : list_.first(solid)) {
@@ -159,7 +149,7 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
       if (owner == label || owner == 0) clear_cell(cell);
     }
   }
-  keep(becomes);
+  keep();
   if (changed) cells_.sum_up();
 }
 
@@ -174,11 +164,13 @@ void FramePlanes::clear_cell(std::int32_t cell) noexcept {
   }
 }
 
-void FramePlanes::search_round(const DepthView& depth, const PlaneSearch& search,
-                               ImageView<const std::uint16_t> labels, PlanesFound& found) noexcept {
+Status FramePlanes::search_round(const DepthView& depth, const PlaneSearch& search,
+                                 ImageView<const std::uint16_t> labels, PlanesFound& found) noexcept {
   // Step 2.
   const std::span<ProposedPlane> room = candidates_.subspan(count_);
-  const std::uint32_t proposed = search.run(search.user, inverse_depth_, labels, depth.camera, room);
+  std::uint32_t proposed = 0;
+  const Status status = search.run(search.user, inverse_depth_, labels, depth.camera, room, proposed);
+  if (status != Status::ok && status != Status::output_full) return status;
   const auto added = std::min(proposed, static_cast<std::uint32_t>(room.size()));
   for (std::uint32_t k = 0; k < added; ++k) {
     found.iterations = std::max(found.iterations, room[k].iterations);
@@ -188,6 +180,7 @@ void FramePlanes::search_round(const DepthView& depth, const PlaneSearch& search
   assign_cells();
   refit(depth.camera);
   judge(depth.camera, false);
+  return Status::ok;
 }
 
 Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, ImageView<std::uint16_t> labels,
@@ -205,13 +198,13 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   for (const InverseDepthMoments& cell : cells_.level(DepthCells::levels - 1)) readings += cell.n;
   found.readings = static_cast<std::uint32_t>(readings);
   // Steps 2 to 6.
-  search_round(depth, search, {}, found);
-  for (std::uint32_t round = 1; round < options_.rounds; ++round) {
+  Status status = search_round(depth, search, {}, found);
+  for (std::uint32_t round = 1; status == Status::ok && round < options_.rounds; ++round) {
     const std::uint32_t middles = detail::free_cells(cells_, cell_labels_[0], visited_, labels);
     if (middles * DepthCells::side * DepthCells::side < min_pixels_) break;
-    search_round(depth, search, labels, found);
+    status = search_round(depth, search, labels, found);
   }
-  return finish(depth, labels, planes, found);
+  return status != Status::ok ? status : finish(depth, labels, planes, found);
 }
 
 Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labels,
@@ -223,9 +216,9 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
   detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], surfaces_.first(count_), options_.gate,
                        labels, moments_, list_);
   // Step 8.
-  std::array<std::uint16_t, most_planes> order{};
-  sort_by_pixels(moments_.first(count_), std::span(order).first(count_));
-  std::array<std::uint16_t, most_planes + 1> new_label{};
+  const std::span<std::uint16_t> order = becomes_;
+  sort_by_pixels(moments_.first(count_), order.first(count_));
+  std::fill(new_label_.begin(), new_label_.end(), std::uint16_t{0});
   Status status = Status::ok;
   PlaneGate noise = options_.gate;
   noise.inverse_sigma /= options_.slack;  // as the caller gave it
@@ -248,9 +241,9 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
     plane.confidence = candidate.confidence;
     plane.score = candidate.score;
     planes[found.planes++] = plane;
-    new_label[order[i] + 1U] = static_cast<std::uint16_t>(found.planes);
+    new_label_[order[i] + 1U] = static_cast<std::uint16_t>(found.planes);
   }
-  found.labelled = relabel(labels, new_label);
+  found.labelled = relabel(labels, new_label_);
   return status;
 }
 

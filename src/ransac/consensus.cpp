@@ -31,14 +31,14 @@ bool draw_hypothesis(const Subset& subset, double near_radius, Pcg32& random, Tr
     } else {
       triple = draw_three(random, subset.count);
     }
-    if (plane_through(subset.at(triple.of[0]), subset.at(triple.of[1]), subset.at(triple.of[2]), in_space,
-                      plane))
+    if (plane_through(subset.coordinates(triple.of[0]), subset.coordinates(triple.of[1]),
+                      subset.coordinates(triple.of[2]), in_space, plane))
       return true;
   }
   return false;
 }
 
-float residual(const Subset& subset, std::uint32_t i, const Coefficients& k) noexcept {
+inline float residual(const Subset& subset, std::uint32_t i, const Coefficients& k) noexcept {
   const detail::RansacPlanesMemory& m = subset.memory;
   return (k.x * m.x[i] + k.y * m.y[i]) + (k.z * m.z[i] + k.w * m.w[i]);
 }
@@ -51,7 +51,7 @@ float optimised(const Subset& subset, float cost, LinearPlane& plane) noexcept {
     ModelSums sums;
     for (std::uint32_t i = 0; i < subset.count; ++i) {
       const float e = residual(subset, i, k);
-      if (e * e < gates * gates) sums.add(subset.at(i), in_space);
+      if (e * e < gates * gates) sums.add(subset.coordinates(i), in_space);
     }
     LinearPlane refitted;
     if (!fit_model(sums, subset.readings, refitted)) continue;

@@ -40,13 +40,13 @@ void take_cheaper(const float* above, const float* here, const float* below, con
   }
 }
 
-CellBox box_of(const PlaneCandidate& c) noexcept {
-  return {c.column0, c.row0, c.column1, c.row1};
+CellBox box_of(const Lattice& lattice, const ProposedPlane& c) noexcept {
+  return {c.column0 / lattice.cell, c.row0 / lattice.cell, c.column1 / lattice.cell, c.row1 / lattice.cell};
 }
 
-void contest_for(const Lattice& lattice, const PlaneCandidate& candidate, std::int32_t label) noexcept {
+void contest_for(const Lattice& lattice, const ProposedPlane& candidate, std::int32_t label) noexcept {
   const InverseDepthPlane& plane = candidate.fit.plane;
-  const CellBox box = box_of(candidate);
+  const CellBox box = box_of(lattice, candidate);
   const std::int32_t width = box.x1 - box.x0;
   const detail::RansacSearchMemory& m = lattice.memory;
   const auto stride = static_cast<std::size_t>(lattice.stride);
@@ -76,28 +76,28 @@ std::uint32_t mark_owned(const Lattice& lattice, std::size_t first, std::int32_t
 
 }  // namespace
 
-void contest_cells(const Lattice& lattice, std::span<const PlaneCandidate> candidates) noexcept {
+void contest_cells(const Lattice& lattice, std::span<const ProposedPlane> candidates) noexcept {
   for (std::size_t i = 0; i < lattice.memory.owner.size(); ++i) {
     lattice.memory.owner[i] = 0;
     lattice.memory.cost[i] = unowned;
   }
   std::int32_t label = 0;
-  for (const PlaneCandidate& candidate : candidates) contest_for(lattice, candidate, ++label);
+  for (const ProposedPlane& candidate : candidates) contest_for(lattice, candidate, ++label);
 }
 
-void refit_owners(const Lattice& lattice, std::span<PlaneCandidate> candidates, std::uint32_t least,
+void refit_owners(const Lattice& lattice, std::span<ProposedPlane> candidates, std::uint32_t least,
                   double sigma) noexcept {
   const detail::RansacSearchMemory& m = lattice.memory;
   std::int32_t label = 0;
-  for (PlaneCandidate& candidate : candidates) {
+  for (ProposedPlane& candidate : candidates) {
     ++label;
     std::uint32_t cells = 0;
-    const CellBox box = box_of(candidate);
+    const CellBox box = box_of(lattice, candidate);
     for (std::int32_t row = box.y0; row < box.y1; ++row)
       cells += mark_owned(lattice, lattice.at(box.x0, row), box.x1 - box.x0, label);
     double rms_gates = 0;
     const bool fitted = cells >= least && refit_core(lattice, m.q, box, 1, sigma, candidate.fit, rms_gates);
-    candidate.cells = fitted ? cells : 0;
+    candidate.readings = fitted ? cells : 0;
     candidate.score = fitted ? static_cast<double>(cells) * (1 - rms_gates * rms_gates) : 0;
   }
 }

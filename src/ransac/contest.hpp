@@ -13,10 +13,10 @@ namespace straightedge::ransac {
 /// Gives each cell to the candidate that fits the nine cells round it best, among those that it supports;
 /// writes its index + 1 into memory.owner, 0 for none. A single reading cannot tell two planes apart where
 /// they cross: nine that agree can, and no candidate keeps a stripe on another's surface.
-void contest_cells(const Lattice& lattice, std::span<const PlaneCandidate> candidates) noexcept;
+void contest_cells(const Lattice& lattice, std::span<const ProposedPlane> candidates) noexcept;
 
 /// Refits every candidate to the cells it owns. One that owns fewer than `least` gets none.
-void refit_owners(const Lattice& lattice, std::span<PlaneCandidate> candidates, std::uint32_t least,
+void refit_owners(const Lattice& lattice, std::span<ProposedPlane> candidates, std::uint32_t least,
                   double sigma) noexcept;
 
 }  // namespace straightedge::ransac

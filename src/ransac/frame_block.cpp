@@ -2,94 +2,120 @@
 // SPDX-License-Identifier: MIT
 #include "ransac/frame_block.hpp"
 
+#include <bit>
+
 #include "ransac/fold.hpp"
 
 namespace straightedge::ransac {
 namespace {
 
-constexpr std::int32_t lanes = FrameBlock::lanes;
+/// Interleaved partial sums of a block.
+constexpr std::int32_t lanes = 16;
 
-struct LaneSums {
-  float n[lanes], u[lanes], uu[lanes], r[lanes], ur[lanes], rr[lanes];
+/// Half the gate's width in 1/z: `constant`, or `metres` along z, which are q² times as wide in 1/z,
+/// whichever is more.
+inline float wide_of(float q, float constant, float metres) noexcept {
+  const float floor = metres * (q * q);
+  return floor > constant ? floor : constant;
+}
+
+/// 1 for a reading: above its gate, at most 1e6, and no NaN. The bits of floats from 0 on have the floats'
+/// order; those of negative ones are below, those of NaN above.
+inline std::int32_t is_above(float q, float wide) noexcept {
+  const auto bits = std::bit_cast<std::int32_t>(q);
+  return static_cast<std::int32_t>(bits > std::bit_cast<std::int32_t>(wide)) &
+         static_cast<std::int32_t>(bits <= std::bit_cast<std::int32_t>(1e6F));
+}
+
+/// Which pixels of a block are free and within the gate of 1/z = a i + c, and their residuals; 0 for the
+/// others, and for what fills the last lanes up.
+struct Inliers {
+  float r[FrameBlock::capacity];
+  std::int32_t inside[FrameBlock::capacity];
+
+  Inliers(const FrameBlock& block, float a, float c, const std::uint16_t* labels) noexcept {
+    const float* q = block.q;
+    const float constant = block.constant, metres = block.metres;
+    const std::int32_t count = block.count;
+    for (std::int32_t i = 0; i < count; ++i) {
+      const float wide = wide_of(q[i], constant, metres);
+      const float residual = q[i] - (a * static_cast<float>(i) + c);
+      const std::int32_t near = residual * residual < wide * wide ? 1 : 0;
+      const std::int32_t free = labels[i] == 0 ? 1 : 0;
+      inside[i] = -(near & free & is_above(q[i], wide));
+      r[i] = std::bit_cast<float>(std::bit_cast<std::int32_t>(residual) & inside[i]);
+    }
+    for (std::int32_t i = count; i % lanes != 0; ++i) {
+      inside[i] = 0;
+      r[i] = 0;
+    }
+  }
 };
 
-void copy_free(const float* pixels, const std::uint16_t* labels, std::int32_t count,
-               float* __restrict q) noexcept {
-  for (std::int32_t i = 0; i < count; ++i) {
-    const float pixel = pixels[i];
-    const std::int32_t label = labels[i];
-    q[i] = label == 0 ? pixel : 0.0F;
-  }
-}
+struct LaneSums {
+  float r[lanes], ur[lanes], rr[lanes];
 
-/// Squared gates of readings: `constant` in 1/z, or `metres` along z, which are q² times as wide in 1/z,
-/// whichever is more.
-void limits_of(const float* q, std::int32_t count, float constant, float metres,
-               float* __restrict limit) noexcept {
-  for (std::int32_t i = 0; i < count; ++i) {
-    const float floor = metres * (q[i] * q[i]);
-    const float wide = floor > constant ? floor : constant;
-    const std::int32_t near_enough = q[i] > wide ? 1 : 0;
-    const std::int32_t far_enough = q[i] <= 1e6F ? 1 : 0;
-    limit[i] = static_cast<float>(near_enough & far_enough) * (wide * wide);
+  /// Four neighbouring lanes of all residuals: as many as a plain processor keeps in registers.
+  void add_quad(const float* residuals, std::int32_t first, std::int32_t count) noexcept {
+    float r0 = 0, r1 = 0, r2 = 0, r3 = 0, ur0 = 0, ur1 = 0, ur2 = 0, ur3 = 0, rr0 = 0, rr1 = 0, rr2 = 0,
+          rr3 = 0;
+    auto u0 = static_cast<float>(first), u1 = u0 + 1, u2 = u0 + 2, u3 = u0 + 3;
+    for (std::int32_t i = first; i < count; i += lanes) {
+      const float* e = residuals + i;
+      r0 += e[0], r1 += e[1], r2 += e[2], r3 += e[3];
+      ur0 += e[0] * u0, ur1 += e[1] * u1, ur2 += e[2] * u2, ur3 += e[3] * u3;
+      rr0 += e[0] * e[0], rr1 += e[1] * e[1], rr2 += e[2] * e[2], rr3 += e[3] * e[3];
+      u0 += lanes, u1 += lanes, u2 += lanes, u3 += lanes;
+    }
+    r[first] = r0, r[first + 1] = r1, r[first + 2] = r2, r[first + 3] = r3;
+    ur[first] = ur0, ur[first + 1] = ur1, ur[first + 2] = ur2, ur[first + 3] = ur3;
+    rr[first] = rr0, rr[first + 1] = rr1, rr[first + 2] = rr2, rr[first + 3] = rr3;
   }
-}
-
-/// 1 where a pixel is within the gate of 1/z = a i + c.
-void mark_inside(const FrameBlock& block, float a, float c, std::int32_t* __restrict inside) noexcept {
-  const std::int32_t full = (block.count + lanes - 1) / lanes * lanes;
-  for (std::int32_t i = 0; i < full; ++i) {
-    const float r = block.q[i] - (a * static_cast<float>(i) + c);
-    inside[i] = r * r < block.limit[i] ? 1 : 0;
-  }
-}
+};
 
 }  // namespace
 
-void FrameBlock::load(const Readings& readings, std::int32_t first_column, std::int32_t row,
-                      const std::uint16_t* labels) noexcept {
-  u0 = first_column;
-  v = row;
+FrameBlock::FrameBlock(const Readings& readings, std::int32_t first_column, std::int32_t row) noexcept
+    : q(readings.frame.row(row) + first_column), u0(first_column), v(row) {
   const std::int32_t left = readings.frame.width - first_column;
   count = left < capacity ? left : capacity;
-  const float* pixels = readings.frame.row(row) + first_column;
-  copy_free(pixels, labels, count, q);
-  const std::int32_t full = (count + lanes - 1) / lanes * lanes;
-  for (std::int32_t i = count; i < full; ++i) q[i] = 0;
   const PlaneGate& gate = readings.gate;
-  const double constant = gate.fixed_m > 0 ? 0 : gate.sigmas * gate.inverse_sigma;
-  const double metres = gate.fixed_m > 0 ? gate.fixed_m : gate.sigmas * gate.floor_m;
-  limits_of(q, full, static_cast<float>(constant), static_cast<float>(metres), limit);
+  constant = static_cast<float>(gate.fixed_m > 0 ? 0 : gate.sigmas * gate.inverse_sigma);
+  metres = static_cast<float>(gate.fixed_m > 0 ? gate.fixed_m : gate.sigmas * gate.floor_m);
 }
 
-std::uint32_t FrameBlock::readings() const noexcept {
-  std::uint32_t found = 0;
-  for (std::int32_t i = 0; i < count; ++i) found += limit[i] > 0 ? 1U : 0U;
-  return found;
-}
-
-void FrameBlock::add_inliers(float a, float c, InverseDepthMoments& sums) const noexcept {
-  std::int32_t inside[capacity];
-  mark_inside(*this, a, c, inside);
-  LaneSums s{};
-  for (std::int32_t i = 0; i < count; i += lanes) {
-    for (std::int32_t l = 0; l < lanes; ++l) {
-      const auto u = static_cast<float>(i + l);
-      const float r = q[i + l] - (a * u + c);
-      const auto m = static_cast<float>(inside[i + l]);
-      const float mr = m * r;
-      const float mu = m * u;
-      s.n[l] += m;
-      s.u[l] += mu;
-      s.uu[l] += mu * u;
-      s.r[l] += mr;
-      s.ur[l] += mr * u;
-      s.rr[l] += mr * r;
-    }
+void FrameBlock::limits(float (&limit)[capacity]) const noexcept {
+  for (std::int32_t i = 0; i < count; ++i) {
+    const float wide = wide_of(q[i], constant, metres);
+    const auto squared = std::bit_cast<std::int32_t>(wide * wide);
+    limit[i] = std::bit_cast<float>(squared & -is_above(q[i], wide));
   }
-  sums.n += fold(s.n);
-  sums.u += fold(s.u);
-  sums.uu += fold(s.uu);
+}
+
+std::uint32_t FrameBlock::readings(const std::uint16_t* labels) const noexcept {
+  std::int32_t found = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const std::int32_t free = labels[i] == 0 ? 1 : 0;
+    found += free & is_above(q[i], wide_of(q[i], constant, metres));
+  }
+  return static_cast<std::uint32_t>(found);
+}
+
+void FrameBlock::add_inliers(float a, float c, const std::uint16_t* labels,
+                             InverseDepthMoments& sums) const noexcept {
+  const Inliers inliers(*this, a, c, labels);
+  LaneSums s;
+  for (std::int32_t first = 0; first < lanes; first += 4) s.add_quad(inliers.r, first, count);
+  std::int32_t n = 0, u = 0, uu = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const std::int32_t at = inliers.inside[i] & i;
+    n -= inliers.inside[i];
+    u += at;
+    uu += at * at;
+  }
+  sums.n += n;
+  sums.u += u;
+  sums.uu += uu;
   sums.q += fold(s.r);
   sums.uq += fold(s.ur);
   sums.qq += fold(s.rr);
@@ -97,12 +123,11 @@ void FrameBlock::add_inliers(float a, float c, InverseDepthMoments& sums) const 
 
 std::uint32_t FrameBlock::label_inliers(float a, float c, std::uint16_t label,
                                         std::uint16_t* labels) const noexcept {
-  std::int32_t inside[capacity];
-  mark_inside(*this, a, c, inside);
+  const Inliers inliers(*this, a, c, labels);
   std::int32_t found = 0;
   for (std::int32_t i = 0; i < count; ++i) {
-    labels[i] = inside[i] != 0 ? label : labels[i];
-    found += inside[i];
+    labels[i] = inliers.inside[i] != 0 ? label : labels[i];
+    found -= inliers.inside[i];
   }
   return static_cast<std::uint32_t>(found);
 }

@@ -18,10 +18,8 @@ struct Nearest {
   std::uint32_t label[FrameBlock::capacity];
 
   explicit Nearest(const FrameBlock& block) noexcept {
-    for (std::int32_t i = 0; i < block.count; ++i) {
-      squared[i] = block.limit[i];
-      label[i] = 0;
-    }
+    block.limits(squared);
+    for (std::int32_t i = 0; i < block.count; ++i) label[i] = 0;
   }
   void offer(const FrameBlock& block, float a, float c, std::uint32_t plane_label) noexcept {
     for (std::int32_t i = 0; i < block.count; ++i) {
@@ -39,10 +37,9 @@ std::uint32_t label_nearest_pixels(const Readings& readings, std::span<const Fou
                                    std::span<std::uint16_t> labels) noexcept {
   std::uint32_t labelled = 0;
   std::size_t first = 0;
-  FrameBlock block;
   for (std::int32_t v = 0; v < readings.frame.height; ++v) {
-    for (std::int32_t u = 0; u < readings.frame.width; u += block.count) {
-      block.load(readings, u, v, &labels[first]);
+    for (std::int32_t u = 0; u < readings.frame.width; u += FrameBlock::capacity) {
+      const FrameBlock block(readings, u, v);
       Nearest nearest(block);
       for (std::size_t j = 0; j < planes.size(); ++j) {
         const LinearPlane p = to_linear(planes[j].fit.plane, readings);
@@ -60,18 +57,20 @@ std::uint32_t label_nearest_pixels(const Readings& readings, std::span<const Fou
 
 void refit_labelled_pixels(const Readings& readings, std::span<const std::uint16_t> labels,
                            std::span<FoundPlane> planes) noexcept {
-  const std::uint32_t count = readings.count();
   for (std::size_t first = 0; first < planes.size(); first += planes_in_a_pass) {
-    std::array<ModelSums, planes_in_a_pass> sums{};
+    std::array<InverseDepthMoments, planes_in_a_pass> sums{};
+    const std::uint16_t* label = labels.data();
     Reading r;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const std::size_t index = labels[i] - std::size_t{1} - first;
-      if (index < planes_in_a_pass && readings.read(i, r)) sums[index].add(r, false);
+    for (std::int32_t v = 0; v < readings.frame.height; ++v) {
+      for (std::int32_t u = 0; u < readings.frame.width; ++u, ++label) {
+        const std::size_t index = *label - std::size_t{1} - first;
+        if (index < planes_in_a_pass && readings.read_pixel(u, v, r)) sums[index].add(r.x, r.y, r.z);
+      }
     }
     for (std::size_t j = 0; j < planes_in_a_pass && first + j < planes.size(); ++j) {
       FoundPlane& plane = planes[first + j];
-      plane.inliers = static_cast<std::uint32_t>(sums[j].inverse.n);
-      (void)fit_found(sums[j], readings, plane.fit);
+      plane.inliers = static_cast<std::uint32_t>(sums[j].n);
+      (void)fit_rays(sums[j], readings, plane.fit);
     }
   }
 }

@@ -47,7 +47,7 @@ double frame_noise(const Lattice& lattice, const RansacSearchOptions& options) n
   double sorted[most_windows];
   std::uint32_t count = 0;
   std::uint64_t stream = first_stream;
-  Window window;
+  Window& window = lattice.memory.window.front();
   for (std::int32_t row = shape.half; row < lattice.rows; row += apart) {
     for (std::int32_t column = shape.half; column < lattice.columns && count < most_windows;
          column += apart) {

@@ -57,9 +57,13 @@ bool fit_found(const ModelSums& sums, const Readings& readings, PlaneFit& fit) n
     fit = moved(fit, {1, 0, 0, 0, 1, 0, 0, 0, 1}, readings.origin);
     return true;
   }
+  return fit_rays(sums.inverse, readings, fit);
+}
+
+bool fit_rays(const InverseDepthMoments& sums, const Readings& readings, PlaneFit& fit) noexcept {
   const double sigma = readings.gate.inverse_sigma;
   InverseDepthFit inverse;
-  return fit_inverse_depth(sums.inverse, sigma, inverse) == Status::ok &&
+  return fit_inverse_depth(sums, sigma, inverse) == Status::ok &&
          to_plane_fit(inverse, sigma, readings.camera, fit) == Status::ok;
 }
 

@@ -31,6 +31,9 @@ bool fit_model(const ModelSums& sums, const Readings& readings, LinearPlane& pla
 /// The same with covariance, in the frame of the input.
 bool fit_found(const ModelSums& sums, const Readings& readings, PlaneFit& fit) noexcept;
 
+/// That of the sums in inverse depth.
+bool fit_rays(const InverseDepthMoments& sums, const Readings& readings, PlaneFit& fit) noexcept;
+
 /// The coefficients of a plane of the input's frame.
 LinearPlane to_linear(const Plane& plane, const Readings& readings) noexcept;
 

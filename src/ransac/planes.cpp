@@ -192,11 +192,13 @@ RansacPlanesResult RansacPlanes::run(ImageView<const float> inverse_depth, const
   readings.gate = options_.gate;
   Job job{readings, options_, memory_, memory_.label.first(pixels), out, result};
   find_planes(job);
-  if (labelled)
-    for (std::size_t i = 0; i < pixels; ++i) {
-      const auto width = static_cast<std::size_t>(inverse_depth.width);
-      labels.at(static_cast<std::int32_t>(i % width), static_cast<std::int32_t>(i / width)) = job.labels[i];
+  if (labelled) {
+    const std::uint16_t* from = job.labels.data();
+    for (std::int32_t v = 0; v < labels.height; ++v) {
+      std::uint16_t* to = labels.row(v);
+      for (std::int32_t u = 0; u < labels.width; ++u) to[u] = *from++;
     }
+  }
   return result;
 }
 

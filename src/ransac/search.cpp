@@ -33,7 +33,7 @@ struct Search {
   std::uint32_t least_cells = 0;
   double max_rms = 1;  ///< gates
   bool rough = false;
-  Window window;
+  Window& window;
 };
 
 /// Fewer than six readings carry no statistics, however small the plane may be.
@@ -94,13 +94,14 @@ bool grow(Search& s, std::int32_t column, std::int32_t row, std::int32_t half, I
 /// The marked readings become the plane's own.
 void take(Search& s, const InverseDepthFit& fit, const ransac::Core& core) noexcept {
   const detail::RansacSearchMemory& m = s.lattice.memory;
-  PlaneCandidate& candidate = m.candidates[s.result.candidates++];
-  candidate.fit = fit;
-  candidate.rough = s.rough;
-  candidate.column0 = core.bounds.x0;
-  candidate.column1 = core.bounds.x1;
-  candidate.row0 = core.bounds.y0;
-  candidate.row1 = core.bounds.y1;
+  ProposedPlane& candidate = m.candidates[s.result.candidates++];
+  const std::int32_t cell = s.lattice.cell;
+  candidate = {.fit = fit,
+               .rough = s.rough,
+               .column0 = core.bounds.x0 * cell,
+               .row0 = core.bounds.y0 * cell,
+               .column1 = core.bounds.x1 * cell,
+               .row1 = core.bounds.y1 * cell};
   for (std::int32_t row = core.bounds.y0; row < core.bounds.y1; ++row)
     for (std::int32_t column = core.bounds.x0; column < core.bounds.x1; ++column) {
       const std::size_t i = s.lattice.at(column, row);
@@ -140,16 +141,16 @@ void search_windows(Search& s, const WindowShape& shape) noexcept {
 
 /// Step 6.
 void contest(Search& s) noexcept {
-  const std::span<PlaneCandidate> candidates = s.lattice.memory.candidates.first(s.result.candidates);
+  const std::span<ProposedPlane> candidates = s.lattice.memory.candidates.first(s.result.candidates);
   ransac::contest_cells(s.lattice, candidates);
   ransac::refit_owners(s.lattice, candidates, s.least_cells, s.options.gate.inverse_sigma);
   std::uint32_t kept = 0;
-  for (const PlaneCandidate& candidate : candidates) {
-    if (candidate.cells == 0) continue;
-    s.result.explained += candidate.cells;
+  for (const ProposedPlane& candidate : candidates) {
+    if (candidate.readings == 0) continue;
+    s.result.explained += candidate.readings;
     // Insertion keeps candidates of equal score in the order in which they were found.
     std::uint32_t at = kept++;
-    const PlaneCandidate moved = candidate;
+    const ProposedPlane moved = candidate;
     for (; at > 0 && candidates[at - 1].score < moved.score; --at) candidates[at] = candidates[at - 1];
     candidates[at] = moved;
   }
@@ -174,7 +175,7 @@ Status RansacSearch::prepare(RansacSearch& search, Size size, const RansacSearch
 
 RansacSearchResult RansacSearch::run(ImageView<const float> inverse_depth,
                                      ImageView<const std::uint16_t> mask,
-                                     std::span<PlaneCandidate> out) noexcept {
+                                     std::span<ProposedPlane> out) noexcept {
   RansacSearchResult result;
   result.seed = options_.seed;
   if (!prepared_) return result;
@@ -190,7 +191,8 @@ RansacSearchResult RansacSearch::run(ImageView<const float> inverse_depth,
   result.noise = ransac::frame_noise(lattice, options_);
   for (float& w : memory_.w) w /= static_cast<float>(result.noise);
   // Steps 3 to 5.
-  Search search{options_, lattice, result, least_cells(options_), options_.max_rms, false, {}};
+  Search search{
+      options_, lattice, result, least_cells(options_), options_.max_rms, false, memory_.window.front()};
   for (const WindowShape& shape : window_shapes) search_windows(search, shape);
   if (options_.rough_rms > options_.max_rms) {
     search.max_rms = options_.rough_rms;
@@ -203,8 +205,22 @@ RansacSearchResult RansacSearch::run(ImageView<const float> inverse_depth,
     result.candidates = static_cast<std::uint32_t>(out.size());
     result.status = Status::output_full;
   }
-  for (std::uint32_t i = 0; i < result.candidates; ++i) out[i] = memory_.candidates[i];
+  for (std::uint32_t i = 0; i < result.candidates; ++i) {
+    out[i] = memory_.candidates[i];
+    out[i].iterations = result.draws;
+  }
   return result;
+}
+
+PlaneSearch plane_search(RansacSearch& search) noexcept {
+  return {&search,
+          [](void* user, ImageView<const float> inverse_depth, ImageView<const std::uint16_t> labels,
+             const PinholeCamera& /*camera*/, std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
+            const RansacSearchResult result =
+                static_cast<RansacSearch*>(user)->run(inverse_depth, labels, out);
+            count = result.candidates;
+            return result.status;
+          }};
 }
 
 }  // namespace straightedge

@@ -20,9 +20,19 @@ struct Subset {
   Rows rows() const noexcept {
     return {memory.x.data(), memory.y.data(), memory.z.data(), memory.w.data(), padded(count)};
   }
-  Reading at(std::uint32_t i) const noexcept {
+  /// Its coordinates, and its gate where that is the same for all.
+  Reading coordinates(std::uint32_t i) const noexcept {
     Reading r;
-    (void)readings.read(memory.reading[i], r);
+    if (!readings.is_frame()) {
+      (void)readings.read(memory.reading[i], r);
+      return r;
+    }
+    // Places are pixels: floats hold them exactly.
+    const auto u = static_cast<std::int32_t>(memory.place_x[i]);
+    const auto v = static_cast<std::int32_t>(memory.place_y[i]);
+    r.x = u;
+    r.y = v;
+    r.z = static_cast<double>(readings.frame.at(u, v));
     return r;
   }
 };

@@ -11,11 +11,10 @@ namespace {
 /// with u counted from its first column.
 template <class Labels, class Visit>
 void for_each_block(const Readings& readings, Labels labels, const LinearPlane& plane, Visit visit) noexcept {
-  FrameBlock block;
   std::size_t first = 0;
   for (std::int32_t v = 0; v < readings.frame.height; ++v) {
-    for (std::int32_t u = 0; u < readings.frame.width; u += block.count) {
-      block.load(readings, u, v, &labels[first]);
+    for (std::int32_t u = 0; u < readings.frame.width; u += FrameBlock::capacity) {
+      const FrameBlock block(readings, u, v);
       const double c = -(plane.x * u + plane.y * v + plane.w);
       visit(block, static_cast<float>(-plane.x), static_cast<float>(c), &labels[first]);
       first += static_cast<std::size_t>(block.count);
@@ -45,9 +44,9 @@ ModelSums sum_frame(const Readings& readings, std::span<const std::uint16_t> lab
                     const LinearPlane& plane) noexcept {
   ModelSums sums;
   for_each_block(readings, labels, plane,
-                 [&](const FrameBlock& block, float a, float c, const std::uint16_t*) {
+                 [&](const FrameBlock& block, float a, float c, const std::uint16_t* here) {
                    InverseDepthMoments m;
-                   block.add_inliers(a, c, m);
+                   block.add_inliers(a, c, here, m);
                    if (m.n > 0) sums.inverse.add(whole_moments(m, block, plane));
                  });
   return sums;
@@ -93,9 +92,10 @@ std::uint32_t label_inliers(const Readings& readings, const LinearPlane& plane, 
 std::uint32_t count_readings(const Readings& readings, std::span<const std::uint16_t> labels) noexcept {
   std::uint32_t found = 0;
   if (readings.is_frame()) {
-    for_each_block(readings, labels, {}, [&](const FrameBlock& block, float, float, const std::uint16_t*) {
-      found += block.readings();
-    });
+    for_each_block(readings, labels, {},
+                   [&](const FrameBlock& block, float, float, const std::uint16_t* here) {
+                     found += block.readings(here);
+                   });
     return found;
   }
   Reading r;

@@ -12,6 +12,10 @@ namespace {
 /// tilts it at will.
 constexpr double least_area = 32;
 
+Rows rows_of(const Window& w) noexcept {
+  return {w.x, w.y, w.z, w.w, padded(w.count)};
+}
+
 void append(const Lattice& lattice, std::size_t cell, float widening, Window& w) noexcept {
   const std::uint32_t k = w.count++;
   const float inverse_gate = lattice.memory.w[cell] / widening;
@@ -65,7 +69,7 @@ float optimised(const Window& w, double sigma, float cost, InverseDepthPlane& pl
   for (const double gates : {1.5, 1.0}) {
     InverseDepthPlane refitted = plane;
     if (!refit(w, gates, sigma, refitted)) break;
-    const float refitted_cost = msac_cost(w.rows(), coefficients(refitted));
+    const float refitted_cost = msac_cost(rows_of(w), coefficients(refitted));
     if (!(refitted_cost < cost)) continue;
     cost = refitted_cost;
     plane = refitted;
@@ -104,11 +108,11 @@ WindowPlane best_of_window(const Window& window, const RansacSearchOptions& opti
     const Triple triple = draw_three(random, n);
     InverseDepthPlane plane;
     if (!plane_through(window, triple, plane)) continue;
-    const float cost = msac_cost(window.rows(), coefficients(plane));
+    const float cost = msac_cost(rows_of(window), coefficients(plane));
     if (!(cost < best_cost)) continue;
     best_cost = optimised(window, options.gate.inverse_sigma, cost, plane);
     found.plane = plane;
-    found.inliers = count_inliers(window.rows(), n, coefficients(plane));
+    found.inliers = count_inliers(rows_of(window), n, coefficients(plane));
     needed = draws_needed(triple_probability(found.inliers, n), options.confidence, most);
   }
   found.plane.c -= found.plane.a * window.u0 + found.plane.b * window.v0;

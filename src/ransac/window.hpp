@@ -16,16 +16,8 @@ struct WindowShape {
   std::int32_t step = 1;
 };
 
-/// The free readings of a window, ready to be drawn from and scored. Pixels count from (u0, v0).
-struct Window {
-  static constexpr std::uint32_t capacity = 320;
-  float u[capacity], v[capacity], q[capacity];
-  float x[capacity], y[capacity], z[capacity], w[capacity];  ///< u, v, 1 and q over the gate
-  std::uint32_t count = 0;
-  std::int32_t u0 = 0, v0 = 0;
-
-  Rows rows() const noexcept { return {x, y, z, w, padded(count)}; }
-};
+/// Every shape's readings fit: at most 17 columns and rows are looked at.
+using Window = detail::RansacWindow;
 
 /// `widening`: the gate is so many times as wide as the lattice says.
 void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, const WindowShape& shape,

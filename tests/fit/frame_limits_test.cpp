@@ -164,9 +164,10 @@ TEST_CASE("a search may fill its span, round after round") {
 TEST_CASE("a search that claims more planes than it has room for is not believed") {
   const Room room;
   const auto boast = [](void*, ImageView<const float>, ImageView<const std::uint16_t>, const PinholeCamera&,
-                        std::span<ProposedPlane> out) noexcept {
+                        std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
     for (ProposedPlane& plane : out) plane = {};
-    return 0xFFFFFFFFU;
+    count = 0xFFFFFFFFU;
+    return Status::ok;
   };
   Finder finder(size, {});
   Image<std::uint16_t> labels(size);
@@ -174,6 +175,18 @@ TEST_CASE("a search that claims more planes than it has room for is not believed
   PlanesFound found;
   CHECK(finder.planes.run(room.frame.view(), {nullptr, boast}, labels.view(), planes, found) == Status::ok);
   CHECK(found.planes == 0);
+}
+
+TEST_CASE("what a search refuses comes back") {
+  const Room room;
+  const auto refuse = [](void*, ImageView<const float>, ImageView<const std::uint16_t>, const PinholeCamera&,
+                         std::span<ProposedPlane>, std::uint32_t&) noexcept { return Status::not_prepared; };
+  Finder finder(size, {});
+  Image<std::uint16_t> labels(size);
+  std::vector<FoundPlane> planes(8);
+  PlanesFound found;
+  CHECK(finder.planes.run(room.frame.view(), {nullptr, refuse}, labels.view(), planes, found) ==
+        Status::not_prepared);
 }
 
 TEST_CASE("frames of any size, down to one pixel") {

@@ -177,7 +177,8 @@ TEST_CASE("the second round sees what the first left over") {
     std::vector<std::uint32_t> free;
   } watch{room.truth, {}};
   const auto one_a_call = [](void* user, ImageView<const float> q, ImageView<const std::uint16_t> labels,
-                             const PinholeCamera&, std::span<ProposedPlane> out) noexcept {
+                             const PinholeCamera&, std::span<ProposedPlane> out,
+                             std::uint32_t& count) noexcept {
     auto& w = *static_cast<Watch*>(user);
     std::uint32_t free = 0;
     for (int y = 0; y < q.height; ++y) {
@@ -188,7 +189,8 @@ TEST_CASE("the second round sees what the first left over") {
     }
     out[0].fit.plane = w.planes[w.free.size()];
     w.free.push_back(free);
-    return 1U;
+    count = 1;
+    return Status::ok;
   };
   watch.free.reserve(8);
   FramePlanesOptions options;

@@ -29,15 +29,15 @@ struct FakeSearch {
 
 inline PlaneSearch as_search(FakeSearch& fake) {
   const auto run = [](void* user, ImageView<const float>, ImageView<const std::uint16_t>,
-                      const PinholeCamera&, std::span<ProposedPlane> out) noexcept {
+                      const PinholeCamera&, std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
     auto& search = *static_cast<FakeSearch*>(user);
     ++search.calls;
     search.room = out.size();
-    const std::size_t count = std::min(search.planes.size(), out.size());
+    count = static_cast<std::uint32_t>(std::min(search.planes.size(), out.size()));
     for (std::size_t k = 0; k < count; ++k) {
       out[k] = {.fit = {.plane = search.planes[k]}, .score = 1.0 + static_cast<double>(k), .iterations = 7};
     }
-    return static_cast<std::uint32_t>(count);
+    return count < search.planes.size() ? Status::output_full : Status::ok;
   };
   return {&fake, run};
 }

@@ -36,7 +36,7 @@ TEST_CASE("patches: a picture turned by 90 degrees has the same planes, turned")
     const Plane plane = test::plane_of(found.candidates[i], camera);
     const Plane expected{{-plane.normal.y, plane.normal.x, plane.normal.z}, plane.distance};
     CHECK(test::has(again, expected, 1e-3, 1e-3, camera));
-    CHECK(again.candidates[i].pixels == Approx(found.candidates[i].pixels).epsilon(0.02));
+    CHECK(again.candidates[i].readings == Approx(found.candidates[i].readings).epsilon(0.02));
   }
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("patches: a mirrored camera sees the same planes in the mirrored pictu
   const Found again = find_with(upside_down, mirrored);
   REQUIRE(found.candidates.size() == 3);
   REQUIRE(again.candidates.size() == 3);
-  for (const HoughPlaneCandidate& candidate : found.candidates) {
+  for (const ProposedPlane& candidate : found.candidates) {
     CHECK(test::has(again, test::plane_of(candidate, camera), 1e-3, 1e-3, upside_down));
   }
 }
@@ -66,17 +66,17 @@ TEST_CASE("patches: equal input gives equal bits, whatever the stride and the ru
   }
   const ImageView<const float> view(strided.data(), size, wide * static_cast<std::ptrdiff_t>(sizeof(float)));
   Found found = find_with(camera, picture);
-  std::vector<HoughPlaneCandidate> again(64);
-  CHECK(found.search->run(other, camera, {}, {}, again).status == Status::ok);
-  const HoughPatchResult result = found.search->run(view, camera, {}, {}, again);
+  std::vector<ProposedPlane> again(64);
+  CHECK(found.search->run(other, camera, {}, again).status == Status::ok);
+  const HoughPatchResult result = found.search->run(view, camera, {}, again);
   REQUIRE(result.candidates == found.candidates.size());
   for (std::size_t i = 0; i < found.candidates.size(); ++i) {
     CHECK(again[i].fit.plane == found.candidates[i].fit.plane);
-    CHECK(again[i].votes == found.candidates[i].votes);
+    CHECK(again[i].score == found.candidates[i].score);
   }
   // A mask that masks nothing takes the other way through the code.
   const Image<std::uint16_t> none(size, std::uint16_t{0});
-  CHECK(found.search->run(picture, camera, {}, none.view(), again).candidates == result.candidates);
+  CHECK(found.search->run(picture, camera, none.view(), again).candidates == result.candidates);
   for (std::size_t i = 0; i < found.candidates.size(); ++i) {
     CHECK(again[i].fit.plane == found.candidates[i].fit.plane);
   }
@@ -101,7 +101,7 @@ TEST_CASE("patches: any plane that fills the picture is found, whichever way it 
     INFO("seed " << seed << " plane " << tried);
     REQUIRE(found.candidates.size() == 1);
     CHECK(test::has(found, plane, 0.005, 0.01, camera));
-    CHECK(found.candidates[0].pixels > 0.95 * 256 * 256);
+    CHECK(found.candidates[0].readings > 0.95 * 256 * 256);
   }
 }
 

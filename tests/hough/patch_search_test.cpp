@@ -28,8 +28,8 @@ TEST_CASE("patches: one wall is one candidate, close to the truth") {
   REQUIRE(found.result.status == Status::ok);
   REQUIRE(found.candidates.size() == 1);
   CHECK(has(found, wall.plane, 0.003, 0.003));
-  CHECK(found.candidates[0].pixels > 0.95 * 320 * 240);
-  CHECK(found.candidates[0].fit.n == found.candidates[0].pixels);
+  CHECK(found.candidates[0].readings > 0.95 * 320 * 240);
+  CHECK(found.candidates[0].fit.n == found.candidates[0].readings);
   CHECK(found.result.readings == 320 * 240);
 }
 
@@ -39,8 +39,8 @@ TEST_CASE("patches: wall, floor and a box's face are three, the largest first") 
   CHECK(has(found, wall.plane, 0.01, 0.01));
   CHECK(has(found, floor_face.plane, 0.01, 0.01));
   CHECK(has(found, box.plane, 0.02, 0.01));
-  CHECK(found.candidates[0].pixels >= found.candidates[1].pixels);
-  CHECK(found.candidates[1].pixels >= found.candidates[2].pixels);
+  CHECK(found.candidates[0].readings >= found.candidates[1].readings);
+  CHECK(found.candidates[1].readings >= found.candidates[2].readings);
 }
 
 TEST_CASE("patches: parallel planes ten centimetres apart stay two") {
@@ -118,16 +118,17 @@ TEST_CASE("patches: sizes that no cell divides, down to one pixel") {
 
 TEST_CASE("patches: planes far beyond the greatest distance share a cell and are still found") {
   HoughPatchOptions options;
+  options.gate.inverse_sigma = 1e-7;
   const Face far{test::plane_of({0.2, 0, 1}, 1000)};
   const Face aside{test::plane_of({-0.5, 0.1, 1}, 900), 160};
-  const Found found = find(test::room({far, aside}, 1e-7), options, {}, PlaneGate{.inverse_sigma = 1e-7});
+  const Found found = find(test::room({far, aside}, 1e-7), options);
   REQUIRE(found.candidates.size() == 2);
   CHECK(has(found, far.plane, 0.01, 5));
   CHECK(has(found, aside.plane, 0.01, 5));
 }
 
 TEST_CASE("patches: a fixed threshold in metres serves too") {
-  const Found found = find(test::room({wall, floor_face}, 2e-4), {}, {}, PlaneGate{.fixed_m = 0.02});
+  const Found found = find(test::room({wall, floor_face}, 2e-4), {.gate = {.fixed_m = 0.02}});
   REQUIRE(found.candidates.size() == 2);
   CHECK(has(found, wall.plane, 0.01, 0.01));
   CHECK(has(found, floor_face.plane, 0.01, 0.01));
@@ -160,28 +161,28 @@ TEST_CASE("patches: options that are no numbers or out of range are refused") {
 TEST_CASE("patches: views, sizes, gates and memory that do not fit are told") {
   const Size size{64, 48};
   HoughPatchSearch search;
-  std::array<HoughPlaneCandidate, 4> out;
+  std::array<ProposedPlane, 4> out;
   const Image<float> picture(size, 0.5F);
   const PinholeCamera camera = test::camera_for(size);
-  CHECK(search.run(picture, camera, {}, {}, out).status == Status::not_prepared);
+  CHECK(search.run(picture, camera, {}, out).status == Status::not_prepared);
   const std::size_t bytes = HoughPatchSearch::workspace_bytes(size, {});
   static_assert(HoughPatchSearch::workspace_bytes({640, 480}, {}) < 16 << 20);
   std::vector<std::byte> memory(bytes + 64);
   const auto start = reinterpret_cast<std::uintptr_t>(memory.data());
   std::byte* worst = memory.data() + (65 - start % 64) % 64;  // an address that wastes most
   CHECK(HoughPatchSearch::prepare(search, size, {}, {worst, bytes - 1}) == Status::workspace_too_small);
-  CHECK(search.run(picture, camera, {}, {}, out).status == Status::not_prepared);
+  CHECK(search.run(picture, camera, {}, out).status == Status::not_prepared);
   REQUIRE(HoughPatchSearch::prepare(search, size, {}, {worst, bytes}) == Status::ok);
-  CHECK(search.run(picture, camera, {}, {}, out).status == Status::ok);
-  CHECK(search.run({}, camera, {}, {}, out).status == Status::invalid_image);
-  CHECK(search.run(picture, PinholeCamera{0, 1, 0, 0}, {}, {}, out).status == Status::invalid_image);
-  CHECK(search.run(picture, PinholeCamera{not_a_number, 1, 0, 0}, {}, {}, out).status ==
-        Status::invalid_image);
-  CHECK(search.run(picture, camera, {.inverse_sigma = not_a_number}, {}, out).status ==
+  CHECK(search.run(picture, camera, {}, out).status == Status::ok);
+  CHECK(search.run({}, camera, {}, out).status == Status::invalid_image);
+  CHECK(search.run(picture, PinholeCamera{0, 1, 0, 0}, {}, out).status == Status::invalid_image);
+  CHECK(search.run(picture, PinholeCamera{not_a_number, 1, 0, 0}, {}, out).status == Status::invalid_image);
+  CHECK(HoughPatchSearch::prepare(search, size, {.gate = {.inverse_sigma = not_a_number}}, memory) ==
         Status::invalid_option);
-  CHECK(search.run(Image<float>({64, 47}), camera, {}, {}, out).status == Status::size_mismatch);
+  REQUIRE(HoughPatchSearch::prepare(search, size, {}, {worst, bytes}) == Status::ok);
+  CHECK(search.run(Image<float>({64, 47}), camera, {}, out).status == Status::size_mismatch);
   const Image<std::uint16_t> mask({63, 48});
-  CHECK(search.run(picture, camera, {}, mask.view(), out).status == Status::size_mismatch);
+  CHECK(search.run(picture, camera, mask.view(), out).status == Status::size_mismatch);
   CHECK(HoughPatchSearch::prepare(search, {0, 5}, {}, memory) == Status::invalid_image);
   CHECK(HoughPatchSearch::prepare(search, {32768, 1}, {}, memory) == Status::too_large);
   CHECK(HoughPatchSearch::workspace_bytes({32767, 32767}, {}) == 0);
@@ -191,7 +192,7 @@ TEST_CASE("patches: a full output has the largest") {
   const auto picture = test::room({wall, floor_face, box});
   const Found all = find(picture);
   REQUIRE(all.candidates.size() == 3);
-  const Found some = find(picture, {}, {}, {}, 2);
+  const Found some = find(picture, {}, {}, 2);
   CHECK(some.result.status == Status::output_full);
   REQUIRE(some.candidates.size() == 2);
   CHECK(some.candidates[0].fit.plane == all.candidates[0].fit.plane);
@@ -214,14 +215,14 @@ TEST_CASE("patches: the trace sees votes, peaks and planes, and can stop the run
   };
   const auto picture = test::room({wall, floor_face});
   Seen seen;
-  const Found found = find(picture, {}, {}, {}, 64, {watch, &seen});
+  const Found found = find(picture, {}, {}, 64, {watch, &seen});
   CHECK(found.result.status == Status::ok);
   CHECK(seen.counts[0] == found.result.votes);
   CHECK(seen.counts[1] >= seen.counts[2]);
   CHECK(seen.counts[2] == 2);
   Seen impatient;
   impatient.stop_after = 5;
-  CHECK(find(picture, {}, {}, {}, 64, {watch, &impatient}).result.status == Status::cancelled);
+  CHECK(find(picture, {}, {}, 64, {watch, &impatient}).result.status == Status::cancelled);
   CHECK(impatient.counts[0] == 5);
 }
 

@@ -26,31 +26,31 @@ inline Image<float> room(const std::vector<Face>& faces, double noise = 1.425e-3
 struct Found {
   std::vector<std::byte> memory;
   std::unique_ptr<HoughPatchSearch> search;
-  std::vector<HoughPlaneCandidate> candidates;
+  std::vector<ProposedPlane> candidates;
   HoughPatchResult result;
 };
 
 inline Found find_with(const PinholeCamera& camera, ImageView<const float> picture,
                        const HoughPatchOptions& options = {}, ImageView<const std::uint16_t> mask = {},
-                       const PlaneGate& gate = {}, std::size_t room = 64, HoughPlaneTrace trace = {}) {
+                       std::size_t room = 64, HoughPlaneTrace trace = {}) {
   Found found;
   found.memory.resize(HoughPatchSearch::workspace_bytes(picture.size(), options));
   found.search = std::make_unique<HoughPatchSearch>();
   found.result.status = HoughPatchSearch::prepare(*found.search, picture.size(), options, found.memory);
   if (found.result.status != Status::ok) return found;
   found.candidates.resize(room);
-  found.result = found.search->run(picture, camera, gate, mask, found.candidates, trace);
+  found.result = found.search->run(picture, camera, mask, found.candidates, trace);
   found.candidates.resize(found.result.candidates);
   return found;
 }
 
 inline Found find(const Image<float>& picture, const HoughPatchOptions& options = {},
-                  ImageView<const std::uint16_t> mask = {}, const PlaneGate& gate = {}, std::size_t room = 64,
+                  ImageView<const std::uint16_t> mask = {}, std::size_t room = 64,
                   HoughPlaneTrace trace = {}) {
-  return find_with(camera_for(picture.size()), picture, options, mask, gate, room, trace);
+  return find_with(camera_for(picture.size()), picture, options, mask, room, trace);
 }
 
-inline Plane plane_of(const HoughPlaneCandidate& candidate, const PinholeCamera& camera) {
+inline Plane plane_of(const ProposedPlane& candidate, const PinholeCamera& camera) {
   PlaneFit fit;
   if (to_plane_fit(candidate.fit, 1e-3, camera, fit) != Status::ok) return {};
   return fit.plane;
@@ -59,7 +59,7 @@ inline Plane plane_of(const HoughPlaneCandidate& candidate, const PinholeCamera&
 /// A candidate within these of the plane?
 inline bool has(const Found& found, const Plane& plane, double angle_rad, double distance_m,
                 const PinholeCamera& camera = camera_for({320, 240})) {
-  for (const HoughPlaneCandidate& candidate : found.candidates) {
+  for (const ProposedPlane& candidate : found.candidates) {
     const Plane own = plane_of(candidate, camera);
     const double off = own.distance - plane.distance;
     if (angle_between(own.normal, plane.normal) < angle_rad && off < distance_m && off > -distance_m)

@@ -113,7 +113,7 @@ TEST_CASE("Frames of no use have no planes and no candidates", "[ransac]") {
     std::vector<std::byte> workspace(RansacSearch::workspace_bytes(scene::size, {}));
     RansacSearch object;
     REQUIRE(RansacSearch::prepare(object, scene::size, {}, workspace) == Status::ok);
-    std::vector<PlaneCandidate> out(8);
+    std::vector<ProposedPlane> out(8);
     const RansacSearchResult result = object.run(frame.view(), {}, out);
     CHECK(result.status == Status::ok);
     CHECK(result.candidates == 0);
@@ -129,7 +129,7 @@ TEST_CASE("White noise in depth has no candidates", "[ransac]") {
   std::vector<std::byte> workspace(RansacSearch::workspace_bytes(scene::size, {}));
   RansacSearch object;
   REQUIRE(RansacSearch::prepare(object, scene::size, {}, workspace) == Status::ok);
-  std::vector<PlaneCandidate> out(8);
+  std::vector<ProposedPlane> out(8);
   CHECK(object.run(frame.view(), {}, out).candidates == 0);
 }
 
@@ -142,7 +142,7 @@ TEST_CASE("Frames of any size can be searched", "[ransac]") {
       std::vector<std::byte> workspace(RansacSearch::workspace_bytes(size, options));
       RansacSearch object;
       REQUIRE(RansacSearch::prepare(object, size, options, workspace) == Status::ok);
-      std::vector<PlaneCandidate> out(8);
+      std::vector<ProposedPlane> out(8);
       const RansacSearchResult result = object.run({q.data(), size}, {}, out);
       CHECK(result.status == Status::ok);
       CHECK(result.candidates == (size.width > 16 && size.height > 12 && cell < 5 ? 1U : 0U));
@@ -200,7 +200,7 @@ TEST_CASE("Views and memory that do not fit are refused", "[ransac]") {
   CHECK(RansacPlanes::prepare(object, 0, {}, workspace) == Status::too_large);
 
   RansacSearch search;
-  std::vector<PlaneCandidate> candidates(4);
+  std::vector<ProposedPlane> candidates(4);
   CHECK(search.run({q, Size{3, 4}}, {}, candidates).status == Status::not_prepared);
   std::vector<std::byte> memory(RansacSearch::workspace_bytes({3, 4}, {}));
   CHECK(RansacSearch::prepare(search, {3, 4}, {}, std::span(memory).first(100)) ==

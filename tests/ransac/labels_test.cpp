@@ -74,10 +74,10 @@ TEST_CASE("A plane that cuts through a wall keeps no stripe of it", "[ransac]") 
   const InverseDepthPlane wall_plane = to_inverse_depth(c.wall, scene::camera);
   for (const std::size_t box_at : {std::size_t{0}, std::size_t{1}}) {
     CAPTURE(box_at);
-    std::vector<PlaneCandidate> candidates(2);
-    for (PlaneCandidate& candidate : candidates) {
-      candidate.column1 = lattice.columns;
-      candidate.row1 = lattice.rows;
+    std::vector<ProposedPlane> candidates(2);
+    for (ProposedPlane& candidate : candidates) {
+      candidate.column1 = lattice.columns * lattice.cell;
+      candidate.row1 = lattice.rows * lattice.cell;
     }
     candidates[box_at].fit.plane = box_plane;
     candidates[1 - box_at].fit.plane = wall_plane;
@@ -102,7 +102,7 @@ TEST_CASE("A plane that cuts through a wall keeps no stripe of it", "[ransac]") 
     CHECK(stripe * 2 < stripe_of_single_readings);
     // Refitted to what they own, both are the planes that they were.
     ransac::refit_owners(lattice, candidates, 30, scene::sigma);
-    CHECK(candidates[box_at].cells > 400);
+    CHECK(candidates[box_at].readings > 400);
     PlaneFit fit;
     REQUIRE(to_plane_fit(candidates[1 - box_at].fit, scene::sigma, scene::camera, fit) == Status::ok);
     CHECK(scene::error_of(fit.plane, c.wall).angle < 2e-3);

@@ -10,11 +10,11 @@ using namespace straightedge;
 
 namespace {
 
-constexpr PlaneCandidate untouched{.score = -1, .cells = 77};
+constexpr ProposedPlane untouched{.score = -1, .readings = 77};
 
 struct Found {
   RansacSearchResult result;
-  std::vector<PlaneCandidate> candidates;
+  std::vector<ProposedPlane> candidates;
 };
 
 Found search(ImageView<const float> q, const RansacSearchOptions& options = {},
@@ -25,7 +25,7 @@ Found search(ImageView<const float> q, const RansacSearchOptions& options = {},
   Found found;
   found.candidates.assign(room, untouched);
   found.result = object.run(q, mask, found.candidates);
-  for (std::size_t i = found.result.candidates; i < room; ++i) CHECK(found.candidates[i].cells == 77);
+  for (std::size_t i = found.result.candidates; i < room; ++i) CHECK(found.candidates[i].readings == 77);
   found.candidates.resize(found.result.candidates);
   return found;
 }
@@ -45,7 +45,7 @@ double covered(const scene::Frame& frame, int label, const InverseDepthPlane& tr
 }
 
 bool has_candidate(const Found& found, const scene::Frame& frame, int label, const Plane& truth) {
-  for (const PlaneCandidate& c : found.candidates) {
+  for (const ProposedPlane& c : found.candidates) {
     PlaneFit fit;
     if (to_plane_fit(c.fit, scene::sigma, scene::camera, fit) != Status::ok) return false;
     if (scene::error_of(fit.plane, truth).angle < 2 * 0.0175 &&
@@ -105,7 +105,7 @@ TEST_CASE("The same seed gives the same bits, and a stride changes none", "[rans
   for (std::size_t i = 0; i < a.candidates.size(); ++i) {
     CHECK(b.candidates[i].fit.plane == a.candidates[i].fit.plane);
     CHECK(c.candidates[i].fit.plane == a.candidates[i].fit.plane);
-    CHECK(c.candidates[i].cells == a.candidates[i].cells);
+    CHECK(c.candidates[i].readings == a.candidates[i].readings);
   }
 }
 

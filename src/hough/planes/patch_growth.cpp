@@ -107,16 +107,28 @@ PatchSum grow_from(const PatchScene& scene, const HoughPatch& seed, const Plane&
   return sum;
 }
 
+void widen(const HoughPatch& patch, ProposedPlane& candidate) noexcept {
+  if (patch.x < candidate.column0) candidate.column0 = patch.x;
+  if (patch.y < candidate.row0) candidate.row0 = patch.y;
+  if (patch.x + patch.side > candidate.column1) candidate.column1 = patch.x + patch.side;
+  if (patch.y + patch.side > candidate.row1) candidate.row1 = patch.y + patch.side;
+}
+
 /// Writes the number into the patches that agree, and takes them out of the pool.
-void claim(const PatchScene& scene, const InverseDepthFit& fit, std::uint16_t number,
-           PatchPool& pool) noexcept {
+void claim(const PatchScene& scene, std::uint16_t number, PatchPool& pool,
+           ProposedPlane& candidate) noexcept {
+  const InverseDepthFit& fit = candidate.fit;
   std::size_t kept = 0;
+  candidate.column0 = scene.size.width;
+  candidate.row0 = scene.size.height;
+  candidate.column1 = candidate.row1 = 0;
   for (const HoughPatchMean& mean : pool.free) {
     HoughPatch& patch = pool.of(mean);
     const bool taken = patch.candidate == number ||
                        (passes_gate(mean, fit.plane) && agrees(scene, patch, fit, known_sigmas));
     if (taken) {
       patch.candidate = number;
+      widen(patch, candidate);
     } else {
       pool.free[kept++] = mean;
     }
@@ -135,7 +147,7 @@ PatchPool make_pool(std::span<HoughPatch> patches, std::span<HoughPatchMean> mea
 }
 
 bool grow(const PatchScene& scene, const Plane& peak, PatchPool& pool, std::uint16_t number,
-          HoughPlaneCandidate& candidate) noexcept {
+          ProposedPlane& candidate) noexcept {
   HoughPatch* seed = find_seed(scene, pool, peak);
   if (seed == nullptr) return false;
   const PatchSum sum = grow_from(scene, *seed, peak, pool);
@@ -143,10 +155,10 @@ bool grow(const PatchScene& scene, const Plane& peak, PatchPool& pool, std::uint
     seed->votes = false;
     return false;
   }
-  candidate.pixels = static_cast<std::uint32_t>(sum.moments.n);
+  candidate.readings = static_cast<std::uint32_t>(sum.moments.n);
   candidate.patches = sum.patches;
   seed->candidate = number;
-  claim(scene, candidate.fit, number, pool);
+  claim(scene, number, pool, candidate);
   return true;
 }
 

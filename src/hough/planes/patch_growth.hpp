@@ -5,6 +5,7 @@
 #include <span>
 
 #include "hough/planes/patch_tree.hpp"
+#include "straightedge/frame_planes_search.hpp"
 
 namespace straightedge::hough {
 
@@ -23,6 +24,6 @@ PatchPool make_pool(std::span<HoughPatch> patches, std::span<HoughPatchMean> mea
 /// takes; they leave the pool. False: no free patch is near the peak, or the plane has fewer readings than a
 /// candidate needs; the seed will not be tried again.
 bool grow(const PatchScene& scene, const Plane& peak, PatchPool& pool, std::uint16_t number,
-          HoughPlaneCandidate& candidate) noexcept;
+          ProposedPlane& candidate) noexcept;
 
 }  // namespace straightedge::hough

@@ -18,12 +18,12 @@ struct Rivals {
 };
 
 /// Planes of stronger candidates that pass the patch nearby.
-Rivals rivals_at(const PatchScene& scene, const HoughPatch& patch,
-                 std::span<const HoughPlaneCandidate> candidates, std::uint32_t number) noexcept {
+Rivals rivals_at(const PatchScene& scene, const HoughPatch& patch, std::span<const ProposedPlane> candidates,
+                 std::uint32_t number) noexcept {
   Rivals rivals;
   const double sigma = scene.gate.inverse_noise(patch.mean_q);
   for (std::uint32_t i = 0; i < candidates.size() && rivals.count < most_rivals; ++i) {
-    if (i == number || candidates[i].pixels <= candidates[number].pixels) continue;
+    if (i == number || candidates[i].readings <= candidates[number].readings) continue;
     const InverseDepthPlane& plane = candidates[i].fit.plane;
     const double da = plane.a - patch.plane.a, db = plane.b - patch.plane.b;
     const double turn = ((da < 0 ? -da : da) + (db < 0 ? -db : db)) * patch.side / 2;
@@ -77,9 +77,9 @@ void add_patch(const PatchScene& scene, const DepthInput& input, const HoughPatc
   contest.rival += sum.rival * weight / (readings * most);
 }
 
-/// Is candidate `number` as well explained by those with more readings? `pixels` 0: a candidate that left.
+/// Is candidate `number` as well explained by those with more readings? `readings` 0: a candidate that left.
 bool explained(const PatchScene& scene, const DepthInput& input, std::span<const HoughPatch> patches,
-               std::span<const HoughPlaneCandidate> candidates, std::uint32_t number) noexcept {
+               std::span<const ProposedPlane> candidates, std::uint32_t number) noexcept {
   Contest contest;
   for (const HoughPatch& patch : patches) {
     if (patch.candidate != number + 1) continue;
@@ -93,23 +93,23 @@ bool explained(const PatchScene& scene, const DepthInput& input, std::span<const
 
 std::uint32_t drop_explained(const PatchScene& scene, const DepthInput& input,
                              std::span<const HoughPatch> patches,
-                             std::span<HoughPlaneCandidate> candidates) noexcept {
+                             std::span<ProposedPlane> candidates) noexcept {
   const auto count = static_cast<std::uint32_t>(candidates.size());
   std::uint32_t last = 0;
   for (std::uint32_t turn = 0; turn < count; ++turn) {
     // The one with fewest readings among those with more than the last one had.
     std::uint32_t next = count;
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (candidates[i].pixels <= last) continue;
-      if (next == count || candidates[i].pixels < candidates[next].pixels) next = i;
+      if (candidates[i].readings <= last) continue;
+      if (next == count || candidates[i].readings < candidates[next].readings) next = i;
     }
     if (next == count) break;
-    last = candidates[next].pixels;
-    if (explained(scene, input, patches, candidates, next)) candidates[next].pixels = 0;
+    last = candidates[next].readings;
+    if (explained(scene, input, patches, candidates, next)) candidates[next].readings = 0;
   }
   std::uint32_t left = 0;
-  for (const HoughPlaneCandidate& candidate : candidates) {
-    if (candidate.pixels != 0) candidates[left++] = candidate;
+  for (const ProposedPlane& candidate : candidates) {
+    if (candidate.readings != 0) candidates[left++] = candidate;
   }
   return left;
 }

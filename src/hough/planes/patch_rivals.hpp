@@ -6,6 +6,7 @@
 
 #include "hough/planes/patch_cells.hpp"
 #include "hough/planes/patch_tree.hpp"
+#include "straightedge/frame_planes_search.hpp"
 
 namespace straightedge::hough {
 
@@ -14,6 +15,6 @@ namespace straightedge::hough {
 /// before.
 std::uint32_t drop_explained(const PatchScene& scene, const DepthInput& input,
                              std::span<const HoughPatch> patches,
-                             std::span<HoughPlaneCandidate> candidates) noexcept;
+                             std::span<ProposedPlane> candidates) noexcept;
 
 }  // namespace straightedge::hough

@@ -27,17 +27,14 @@ struct Search {
   std::uint32_t votes = 0;
 };
 
-Status check(Size size, const DepthInput& input, const PinholeCamera& camera,
-             const PlaneGate& gate) noexcept {
+Status check(Size size, const DepthInput& input, const PinholeCamera& camera) noexcept {
   if (size.width == 0) return Status::not_prepared;
   const bool masked = input.mask.data != nullptr;
   if (!input.inverse_depth.valid() || !camera.valid() || (masked && !input.mask.valid())) {
     return Status::invalid_image;
   }
-  if (input.inverse_depth.size() != size || (masked && input.mask.size() != size)) {
-    return Status::size_mismatch;
-  }
-  return gate.valid() ? Status::ok : Status::invalid_option;
+  const bool fits = input.inverse_depth.size() == size && (!masked || input.mask.size() == size);
+  return fits ? Status::ok : Status::size_mismatch;
 }
 
 /// Step 1. Returns the number of readings.
@@ -92,14 +89,14 @@ Status grow_peaks(Search& search) noexcept {
   static_cast<void>(status);
   for (const HoughPlanePeak& peak : memory.peaks.first(peaks)) {
     if (search.found == memory.candidates.size()) break;
-    HoughPlaneCandidate& candidate = memory.candidates[search.found];
+    ProposedPlane& candidate = memory.candidates[search.found];
     const Plane plane = accumulator.plane(peak.direction, peak.distance);
     if (!search.trace({.step = HoughPlaneStep::peak, .plane = plane, .votes = peak.votes})) {
       return Status::cancelled;
     }
     const auto number = static_cast<std::uint16_t>(search.found + 1);
     if (!hough::grow(search.scene, plane, search.pool, number, candidate)) continue;
-    candidate.votes = peak.votes;
+    candidate.score = peak.votes;
     ++search.found;
     if (!search.trace({HoughPlaneStep::plane, search.scene.space(candidate.fit.plane), number, peak.votes})) {
       return Status::cancelled;
@@ -123,11 +120,11 @@ Status search_rounds(Search& search) noexcept {
 }
 
 /// Candidates with many readings first; ties keep their order.
-void sort(std::span<HoughPlaneCandidate> candidates) noexcept {
+void sort(std::span<ProposedPlane> candidates) noexcept {
   for (std::size_t i = 1; i < candidates.size(); ++i) {
-    const HoughPlaneCandidate moved = candidates[i];
+    const ProposedPlane moved = candidates[i];
     std::size_t place = i;
-    for (; place > 0 && candidates[place - 1].pixels < moved.pixels; --place) {
+    for (; place > 0 && candidates[place - 1].readings < moved.readings; --place) {
       candidates[place] = candidates[place - 1];
     }
     candidates[place] = moved;
@@ -154,17 +151,16 @@ Status HoughPatchSearch::prepare(HoughPatchSearch& search, Size size, const Houg
 }
 
 HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, const PinholeCamera& camera,
-                                       const PlaneGate& gate, ImageView<const std::uint16_t> mask,
-                                       std::span<HoughPlaneCandidate> candidates,
-                                       HoughPlaneTrace trace) noexcept {
+                                       ImageView<const std::uint16_t> mask,
+                                       std::span<ProposedPlane> candidates, HoughPlaneTrace trace) noexcept {
   const DepthInput input{inverse_depth, mask};
   HoughPatchResult result;
   patches_ = 0;
-  result.status = check(size_, input, camera, gate);
+  result.status = check(size_, input, camera);
   if (result.status != Status::ok) return result;
   const PatchScene scene{size_,
                          camera,
-                         gate,
+                         options_.gate,
                          options_,
                          memory_.accumulator.directions().cell_size(),
                          options_.max_distance_m / options_.accumulator.distances};
@@ -182,14 +178,26 @@ HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, con
   const std::uint32_t left =
       hough::drop_explained(scene, input, patches, memory_.candidates.first(search.found));
   sort(memory_.candidates.first(left));
-  for (const HoughPlaneCandidate& candidate : memory_.candidates.first(left)) {
+  for (const ProposedPlane& candidate : memory_.candidates.first(left)) {
     if (result.candidates == candidates.size()) {
       result.status = Status::output_full;
       break;
     }
-    candidates[result.candidates++] = candidate;
+    candidates[result.candidates] = candidate;
+    candidates[result.candidates++].iterations = result.votes;
   }
   return result;
+}
+
+PlaneSearch plane_search(HoughPatchSearch& search) noexcept {
+  return {&search,
+          [](void* user, ImageView<const float> inverse_depth, ImageView<const std::uint16_t> labels,
+             const PinholeCamera& camera, std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
+            const HoughPatchResult result =
+                static_cast<HoughPatchSearch*>(user)->run(inverse_depth, camera, labels, out);
+            count = result.candidates;
+            return result.status;
+          }};
 }
 
 }  // namespace straightedge

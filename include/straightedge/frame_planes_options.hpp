@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "straightedge/image.hpp"
+#include "straightedge/plane_gate.hpp"
+
+namespace straightedge {
+
+/// A number that is NaN or outside its range gives `invalid_option`.
+struct FramePlanesOptions {
+  PlaneGate gate;
+  /// A plane with fewer pixels leaves; 0: one thousandth of the picture, at least 64.
+  std::uint32_t min_pixels = 0;
+  std::uint32_t max_planes = 64;  ///< at most 256
+  std::uint32_t rounds = 2;       ///< searches at most, each on what is left over; 1 to 8
+  /// Neighbours of a reading share its noise; so many pixels count as one independent reading. 1 to 1000.
+  double noise_pixels = 28;
+  /// Real frames stray further from planes than the noise model says; residuals may be so many times larger
+  /// in every test. 1 to 10.
+  double slack = 1.4;
+  bool reject_curved = true;  ///< flat strips of balls and pillars are no planes
+};
+
+/// What min_pixels comes to for pictures of a size.
+constexpr std::uint32_t least_pixels(Size size, const FramePlanesOptions& options) noexcept {
+  if (options.min_pixels > 0) return options.min_pixels;
+  const std::size_t share =
+      static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) / 1000;
+  return share > 64 ? static_cast<std::uint32_t>(share < 0xFFFFFFF ? share : 0xFFFFFFF) : 64U;
+}
+
+/// The gate with its noise as `slack` widens it: the one for the search, too.
+constexpr PlaneGate widened(const FramePlanesOptions& options) noexcept {
+  PlaneGate gate = options.gate;
+  gate.inverse_sigma *= options.slack;
+  return gate;
+}
+
+namespace detail {
+
+constexpr bool valid(const FramePlanesOptions& o) noexcept {
+  return o.gate.valid() && o.max_planes >= 1 && o.max_planes <= 256 && o.rounds >= 1 && o.rounds <= 8 &&
+         o.noise_pixels >= 1 && o.noise_pixels <= 1000 && o.slack >= 1 && o.slack <= 10;
+}
+
+}  // namespace detail
+}  // namespace straightedge
