@@ -30,7 +30,7 @@ void set_regions() noexcept {
   asm volatile("msr msplim, %0" ::"r"(address_of(__stack_limit)));
   protection(0x30) = 0xAA;  // attribute 0: ordinary memory, cached
   protection(0x08) = 0;
-  protection(0x0C) = address_of(__flash_start) | 3U << 1U;               // read only
+  protection(0x0C) = address_of(__flash_start) | 3U << 1U;  // read only
   protection(0x10) = ((address_of(__flash_start) + (512U << 10U) - 1) & ~31U) | 1U;
 }
 

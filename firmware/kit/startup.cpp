@@ -38,7 +38,7 @@ constexpr std::uint32_t coprocessor_access = 0xE000ED88;
 }
 
 [[noreturn]] void reset_handler() {
-  device(coprocessor_access) = 0xFU << 20U;    // floating point and vector instructions on
+  device(coprocessor_access) = 0xFU << 20U;   // floating point and vector instructions on
   device(configuration_control) |= 1U << 4U;  // division by zero faults
   asm volatile("dsb\n isb" ::: "memory");
   const std::uint32_t* from = &__data_load;
@@ -53,9 +53,20 @@ union Vector {
   void (*handler)();
 };
 
-__attribute__((section(".isr_vector"), used)) extern const Vector vectors[16] = {
-    {.pointer = &__stack_top}, {.handler = reset_handler}, {.handler = fault_handler},
-    {.handler = fault_handler}, {.handler = fault_handler}, {.handler = fault_handler},
-    {.handler = fault_handler}, {.handler = fault_handler}, {}, {}, {}, {.handler = fault_handler},
-    {.handler = fault_handler}, {}, {.handler = fault_handler}, {.handler = fault_handler}};
+__attribute__((section(".isr_vector"), used)) extern const Vector vectors[16] = {{.pointer = &__stack_top},
+                                                                                 {.handler = reset_handler},
+                                                                                 {.handler = fault_handler},
+                                                                                 {.handler = fault_handler},
+                                                                                 {.handler = fault_handler},
+                                                                                 {.handler = fault_handler},
+                                                                                 {.handler = fault_handler},
+                                                                                 {.handler = fault_handler},
+                                                                                 {},
+                                                                                 {},
+                                                                                 {},
+                                                                                 {.handler = fault_handler},
+                                                                                 {.handler = fault_handler},
+                                                                                 {},
+                                                                                 {.handler = fault_handler},
+                                                                                 {.handler = fault_handler}};
 }
