@@ -20,7 +20,8 @@ constexpr HoughOptions options_for(Size size) noexcept {
           .threshold = size.width / 10,
           .min_length = size.width / 20.0,
           .max_gap = 4,
-          .max_edge_pixels = static_cast<std::uint32_t>(firmware::pixels_of(size) * 5 / 48)};
+          .max_edge_pixels = static_cast<std::uint32_t>(firmware::pixels_of(size) * 5 / 48),
+          .max_draws = firmware::pixels_of(size)};
 }
 
 [[gnu::section(".big.workspace")]] alignas(

@@ -92,6 +92,27 @@ void draw_plan(ImageView<std::uint8_t> out) noexcept {
   }
 }
 
+void draw_plan_edges(ImageView<std::uint8_t> out) noexcept {
+  straightedge::Pcg32 random(5);
+  const Size size = out.size();
+  const auto draw = [&](int x, int y) {
+    if (out.contains(x, y)) out.at(x, y) = 255;
+  };
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) out.at(x, y) = random.below(200) == 0 ? 255 : 0;
+  }
+  for (int y = 1; y < size.height; ++y) {
+    for (int x = 1; x < size.width; ++x) {
+      const bool here = is_wall(size, x, y);
+      const std::uint32_t chance = random.below(16);
+      if (chance == 0) continue;
+      const int aside = chance == 1 ? 1 : 0;
+      if (here != is_wall(size, x - 1, y)) draw(x - aside, y);
+      if (here != is_wall(size, x, y - 1)) draw(x, y - aside);
+    }
+  }
+}
+
 PlanScore score_plan(Size size, std::span<const HoughSegment> segments) noexcept {
   std::uint32_t faces = 0, found = 0, drawn = 0, right = 0;
   for (int y = 1; y < size.height; ++y) {
