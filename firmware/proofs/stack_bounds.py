@@ -63,7 +63,7 @@ def demangled(titles):
 def private_functions(folder):
     found = set()
     for header in folder.rglob("*.hpp"):
-        for owner, private in re.findall(r"^class (\w+).*?^ private:(.*?)^\};", header.read_text(), re.M | re.S):
+        for owner, private in re.findall(r"^class (\w+) \{.*?^ private:(.*?)^\};", header.read_text(), re.M | re.S):
             found.update((owner, name) for name in re.findall(r"\b(\w+)\(", private))
     return found
 

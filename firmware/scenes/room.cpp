@@ -21,11 +21,11 @@ struct Surface {
 constexpr double far = 100;
 constexpr Vector3 least{-far, -far, 0}, most{far, far, far};
 constexpr std::array<Surface, 5> surfaces = {{
-    {{{0, 1, 0}, 1.2}, least, most},                        // floor
+    {{{0, 1, 0}, 0.8}, least, most},                        // floor
     {{{0.28, 0, 0.96}, 2.9}, least, most},                  // back wall
     {{{-0.96, 0, 0.28}, 1.3}, least, most},                 // left wall
-    {{{0, 0, 1}, 1.9}, {0.1, 0.45, 1.8}, {1.0, 1.2, 2.0}},  // front of the box
-    {{{0, 1, 0}, 0.45}, {0.1, 0.4, 1.9}, {1.0, 0.5, 2.5}},  // its top
+    {{{0, 0, 1}, 1.9}, {0.1, 0.4, 1.8}, {1.0, 0.8, 2.0}},  // front of the box
+    {{{0, 1, 0}, 0.4}, {0.1, 0.3, 1.9}, {1.0, 0.5, 2.7}},  // its top
 }};
 
 bool inside(const Vector3& p, const Surface& surface) noexcept {
