@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 namespace straightedge {
 
@@ -64,7 +65,8 @@ constexpr double square_root(double x) noexcept {
 #if defined(__arm__) && !(defined(__ARM_FP) && (__ARM_FP & 8))
   return detail::square_root_by_digits(x);
 #else
-  return __builtin_sqrt(x);
+  // Clang has no constants of the built-in function.
+  return std::is_constant_evaluated() ? detail::square_root_by_digits(x) : __builtin_sqrt(x);
 #endif
 }
 
