@@ -34,12 +34,18 @@ namespace straightedge {
 /// end points of those lines alone that `peaks` holds. More than fits gives `output_full`: the
 /// first segments, and of the standard peaks those with the most votes.
 ///
-/// Memory: 4 bytes a cell of the accumulator (hough_grid.hpp), and a pixel of the image 1 byte (standard; and
-/// 128 bytes a column) or 5 bytes (progressive, randomized, and the latter's buckets: 4 bytes for each 64
-/// pixels at most).
+/// Memory:
+///   standard     4 bytes a cell (hough_grid.hpp), 1 a pixel, 128 a column.
+///   progressive  1 byte (2 or 4 where more votes can meet) for each cell that a line through the image can
+///                have (hough_cells.hpp), a quarter of a byte a pixel, 4 for each edge pixel that there is
+///                room for (max_edge_pixels).
+///   randomized   1 byte a cell (2 or 4 with pair_threshold above 255), 1 a pixel, 4 for each edge pixel that
+///                there is room for, and 4 for each 64 pixels at most.
 ///
 /// Bad input: invalid_image (null views, no gradients where a window is asked for), size_mismatch,
-/// invalid_option, too_large, workspace_too_small, not_prepared. A blank image gives an empty result.
+/// invalid_option, workspace_too_small, not_prepared; too_large from `prepare` for the image's size, from
+/// `run` for more than max_edge_pixels edge pixels: `edge_pixels` of the result tells how many, nothing else
+/// is written, and the next run may have fewer. A blank image gives an empty result.
 class HoughLines {
  public:
   /// Bytes that `prepare` needs; 0 when size or options are invalid or too large.

@@ -9,7 +9,9 @@ namespace straightedge {
 /// The progressive probabilistic Hough transform: pixels vote in random order, and a line is taken as
 /// soon as it stands out, together with its pixels, which then need not vote any more.
 ///
-///   1. Table: cosine and sine of n * theta_step over rho_step, as floats. List all edge pixels.
+///   1. Table: cosine and sine of n * theta_step over rho_step, as floats; one row of cells after the other,
+///      each as long as the distances that pixels of the image have at that angle. List all edge pixels;
+///      more than there is room for: too_large.
 ///   2. Draw a pixel that has not been drawn; pass over those that a line has taken meanwhile.
 ///   3. It votes for all angles, or those in its gradient window. The first angle with the most votes
 ///      is the candidate; below `threshold` votes go back to 2.
@@ -31,6 +33,11 @@ namespace straightedge {
 ///           segments that are long enough, but also for pixels that have not voted yet, so cells go
 ///           below zero. With a gradient window (which OpenCV lacks) each pixel's votes come off in
 ///           its own window.
+///
+/// Memory: the rows of all angles have about (2 / theta_step) (width + height) / rho_step cells. A cell
+/// never holds more than `threshold` votes (hough_cells.hpp), so it is a byte when threshold is below 256;
+/// where OpenCV is followed, two. Two bits a pixel, 4 bytes for each of max_edge_pixels. 320x240 with
+/// steps of 1 px and 2 degrees and room for 8000 edge pixels: 86 KB; as OpenCV 119 KB.
 ///
 /// Time: pixels that vote times angles in the window, plus the walks. The segment's first end lies
 /// ahead of the pixel drawn, along (-sin theta, cos theta), the second behind it.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/hough_progressive.hpp"
 
+#include <cstring>
+
 #include "hough/angle_table.hpp"
 #include "hough/cells.hpp"
 #include "hough/compact_rows.hpp"
@@ -27,9 +29,11 @@ PixelStates states(const HoughJob& job) noexcept {
   return {job.memory.mask.data(), job.edges.width};
 }
 
-/// Four pixels make a byte of states, and most fours have no edge pixel.
+/// Most pixels are no edges: four at a time are read as one number, which need not be aligned.
 bool any_edge(const std::uint8_t* four) noexcept {
-  return (four[0] | four[1] | four[2] | four[3]) != 0;
+  std::uint32_t all = 0;
+  std::memcpy(&all, four, sizeof all);
+  return all != 0;
 }
 
 /// Counts the edge pixels, and lists those for which there is room.

@@ -64,6 +64,20 @@ TEST_CASE("room for 8000 edge pixels at 320x240 takes less than 130 KB") {
   CHECK(HoughLines::workspace_bytes({320, 240}, options) > 8000 * sizeof(PixelPlace));
 }
 
+TEST_CASE("the figures of the page") {
+  const auto kilobytes = [](Size size, std::uint32_t room, HoughGenerator generator) {
+    const HoughOptions options{.theta_step = 2 * degree, .max_edge_pixels = room, .generator = generator};
+    return (HoughLines::workspace_bytes(size, options) + 500) / 1000;
+  };
+  const Size sizes[] = {{160, 120}, {320, 240}, {640, 480}};
+  const std::size_t own[] = {55, 86, 177}, as_opencv[] = {72, 119, 243}, any[] = {100, 361, 1373};
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(kilobytes(sizes[i], 8000, HoughGenerator::pcg32) == own[i]);
+    CHECK(kilobytes(sizes[i], 8000, HoughGenerator::opencv) == as_opencv[i]);
+    CHECK(kilobytes(sizes[i], 0, HoughGenerator::pcg32) == any[i]);
+  }
+}
+
 TEST_CASE("few bytes give the segments, votes and pixels of many") {
   const double rho_steps[] = {1, 0.3, 2.5, 11};
   const double theta_steps[] = {degree, 2 * degree, 0.013, 0.5};
