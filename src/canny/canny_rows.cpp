@@ -32,7 +32,7 @@ void pack_row(std::span<const std::uint8_t> classes, std::uint32_t* words) noexc
 
 Status CannyRows::prepare(CannyRows& canny, Size size, const CannyOptions& options,
                           std::span<std::byte> workspace, const CannyRowOptions& rows) noexcept {
-  canny = CannyRows();
+  canny.phase_ = Phase::unprepared;
   const Status status = detail::CannyRowRecipe::check(size, options, rows);
   if (status != Status::ok) return status;
   if (workspace.data() == nullptr || workspace.size() < workspace_bytes(size, options, rows)) {

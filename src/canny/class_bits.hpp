@@ -6,11 +6,11 @@
 #include <cstdint>
 
 #include "canny/bounded_fill.hpp"
-#include "straightedge/detail/class_plane.hpp"
+#include "straightedge/detail/canny_class_plane.hpp"
 
 namespace straightedge {
 
-/// The states of a BoundedFill, two bits a pixel (class_plane.hpp).
+/// The states of a BoundedFill, two bits a pixel (canny_class_plane.hpp).
 struct ClassBits {
   std::uint32_t* words = nullptr;
   std::int32_t width = 0;
