@@ -12,6 +12,7 @@
 #include "straightedge/canny_row_kernels.hpp"
 #include "straightedge/detail/canny_row_memory.hpp"
 #include "straightedge/detail/canny_row_recipe.hpp"
+#include "straightedge/detail/canny_class_plane.hpp"
 #include "straightedge/image.hpp"
 #include "straightedge/status.hpp"
 
@@ -91,8 +92,8 @@ class CannyRows {
       Memory memory;
       memory.rows = detail::CannyRowMemory::take(arena, size, options);
       memory.worklist = arena.take<std::uint32_t>(std::min<std::size_t>(rows.worklist, width * height));
-      memory.class_row = arena.take<std::uint8_t>((width + 15) / 16 * 16);
-      memory.class_words = arena.take<std::uint32_t>((width + 15) / 16 * height);
+      memory.class_row = arena.take<std::uint8_t>(16 * detail::class_words_in_row(size.width));
+      memory.class_words = arena.take<std::uint32_t>(detail::class_words_in_all(size));
       return memory;
     }
   };

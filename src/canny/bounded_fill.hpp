@@ -26,8 +26,8 @@ namespace straightedge {
 inline constexpr std::uint8_t pending_edge = strong_edge;
 inline constexpr std::uint8_t traced_edge = 3;
 
-/// `Classes` is where the pixels' states are kept: `set(x, y, state)`; `weak_of_three(x, y)`, whose bits 0, 1, 2
-/// say whether pixels x − 1, x, x + 1 are weak; and `next_pending(x, y)`, the first pending pixel of row y at or
+/// `Classes` is where the pixels' states are kept: `set(x, y, state)`; `weak_of_three(x, y)`, whose bits 0,
+/// weak_step and 2 weak_step say whether pixels x − 1, x, x + 1 are weak; and `next_pending(x, y)`, the first pending pixel of row y at or
 /// right of x, or the width.
 template <class Classes>
 class BoundedFill {
@@ -85,7 +85,7 @@ class BoundedFill {
     const std::int32_t top = std::max<std::int32_t>(y - 1, 0), bottom = std::min(y + 1, size_.height - 1);
     for (std::int32_t v = top; v <= bottom; ++v) {
       std::uint32_t weak = classes_.weak_of_three(x, v);
-      for (std::int32_t u = x - 1; weak != 0; ++u, weak >>= 1U) {
+      for (std::int32_t u = x - 1; weak != 0; ++u, weak >>= Classes::weak_step) {
         if ((weak & 1U) != 0) reach(u, v);
       }
     }

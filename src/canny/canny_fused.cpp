@@ -27,7 +27,7 @@ void keep_traced(std::uint8_t* row, std::int32_t width) noexcept {
 
 Status FusedCanny::prepare(FusedCanny& canny, Size size, const CannyOptions& options,
                            std::span<std::byte> workspace, const CannyRowOptions& rows) noexcept {
-  canny = FusedCanny();
+  canny.prepared_ = false;
   const Status status = detail::CannyRowRecipe::check(size, options, rows);
   if (status != Status::ok) return status;
   if (workspace.data() == nullptr || workspace.size() < workspace_bytes(size, options, rows)) {

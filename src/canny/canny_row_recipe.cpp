@@ -27,7 +27,6 @@ void clear_row(const RowRing<M>& ring, std::int32_t y) noexcept {
 
 void CannyRowRecipe::prepare(CannyRowRecipe& recipe, Size size, const CannyOptions& options,
                              const CannyRowKernels& kernels, const CannyRowMemory& memory) noexcept {
-  recipe = CannyRowRecipe();
   recipe.size_ = size;
   recipe.options_ = options;
   recipe.limits_ = to_magnitude({options.low, options.high}, options.norm, options.aperture);

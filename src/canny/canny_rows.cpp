@@ -18,11 +18,12 @@ std::uint32_t pack_four(const std::uint8_t* classes) noexcept {
   return (pairs | (pairs >> 12U)) & 0xFFU;
 }
 
-// Bytes beyond the width are none, so the last sixteen can be packed like all others.
-void pack_row(const std::uint8_t* classes, std::uint32_t* words, std::int32_t width) noexcept {
-  for (; width > 0; width -= 16, classes += 16) {
-    const std::uint32_t left = pack_four(classes) | (pack_four(classes + 4) << 8U);
-    const std::uint32_t right = pack_four(classes + 8) | (pack_four(classes + 12) << 8U);
+// The bytes beyond the width are none.
+void pack_row(std::span<const std::uint8_t> classes, std::uint32_t* words) noexcept {
+  const std::uint8_t* const end = classes.data() + classes.size();
+  for (const std::uint8_t* next = classes.data(); next != end; next += 16) {
+    const std::uint32_t left = pack_four(next) | (pack_four(next + 4) << 8U);
+    const std::uint32_t right = pack_four(next + 8) | (pack_four(next + 12) << 8U);
     *words++ = left | (right << 16U);
   }
 }
@@ -31,7 +32,7 @@ void pack_row(const std::uint8_t* classes, std::uint32_t* words, std::int32_t wi
 
 Status CannyRows::prepare(CannyRows& canny, Size size, const CannyOptions& options,
                           std::span<std::byte> workspace, const CannyRowOptions& rows) noexcept {
-  canny = CannyRows();
+  canny.phase_ = Phase::unprepared;
   const Status status = detail::CannyRowRecipe::check(size, options, rows);
   if (status != Status::ok) return status;
   if (workspace.data() == nullptr || workspace.size() < workspace_bytes(size, options, rows)) {
@@ -44,6 +45,7 @@ Status CannyRows::prepare(CannyRows& canny, Size size, const CannyOptions& optio
   canny.options_ = options;
   canny.phase_ = Phase::prepared;
   std::memset(canny.memory_.class_row.data(), no_edge, canny.memory_.class_row.size());
+  std::memset(canny.memory_.class_words.data(), no_edge, canny.memory_.class_words.size_bytes());
   detail::CannyRowRecipe::prepare(canny.recipe_, size, options, *rows.kernels, canny.memory_.rows);
   return make_gaussian_kernel(options.sigma, canny.memory_.rows.taps);
 }
@@ -64,8 +66,7 @@ Status CannyRows::push_row(std::span<const std::uint8_t> gray) noexcept {
 
   // Steps 1 to 5.
   recipe_.push(gray.data());
-  std::uint8_t* const row = memory_.class_row.data();
-  while (recipe_.next(row)) pack_row(row, classes.row(recipe_.rows_out() - 1), size_.width);
+  while (recipe_.next(memory_.class_row.data())) pack_row(memory_.class_row, classes.row(recipe_.rows_out() - 1));
   return Status::ok;
 }
 

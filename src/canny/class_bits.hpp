@@ -6,17 +6,18 @@
 #include <cstdint>
 
 #include "canny/bounded_fill.hpp"
+#include "straightedge/detail/canny_class_plane.hpp"
 
 namespace straightedge {
 
-/// The states of a BoundedFill, two bits a pixel: sixteen pixels a word, the leftmost in the lowest bits. A
-/// row begins with a word of its own; pixels beyond the width are none.
+/// The states of a BoundedFill, two bits a pixel (canny_class_plane.hpp).
 struct ClassBits {
   std::uint32_t* words = nullptr;
   std::int32_t width = 0;
 
+  /// The first word of row y, −1 and the height included.
   std::uint32_t* row(std::int32_t y) const noexcept {
-    return words + static_cast<std::size_t>(y) * ((static_cast<std::size_t>(width) + 15) / 16);
+    return words + static_cast<std::size_t>(y + 1) * detail::class_words_in_row(width);
   }
 
   static std::uint32_t get(const std::uint32_t* row, std::int32_t x) noexcept {
@@ -28,12 +29,15 @@ struct ClassBits {
     word = (word & ~(3U << shift(x))) | (std::uint32_t{state} << shift(x));
   }
 
+  /// Step between the bits of weak_of_three.
+  static constexpr std::uint32_t weak_step = 2;
+
+  // Left of column 0 lies the none at the end of the row above.
   std::uint32_t weak_of_three(std::int32_t x, std::int32_t y) const noexcept {
-    const std::uint32_t* const states = row(y);
-    std::uint32_t weak = get(states, x) == weak_edge ? 2U : 0U;
-    if (x > 0 && get(states, x - 1) == weak_edge) weak |= 1U;
-    if (x + 1 < width && get(states, x + 1) == weak_edge) weak |= 4U;
-    return weak;
+    const std::uint32_t* const word = row(y) + ((x - 1) >> 4);
+    const std::uint32_t start = shift(x - 1);
+    const std::uint32_t states = (word[0] >> start) | ((word[1] << 1U) << (31 - start));
+    return states & ~(states >> 1U) & 0x15U;
   }
 
   std::int32_t next_pending(std::int32_t x, std::int32_t y) const noexcept {
@@ -48,7 +52,7 @@ struct ClassBits {
  private:
   static std::uint32_t shift(std::int32_t x) noexcept { return 2 * (static_cast<std::uint32_t>(x) & 15U); }
 
-  // Pending is the state with the second bit and not the first.
+  // Weak is the state with the first bit alone, pending with the second.
   static bool any_pending(std::uint32_t word) noexcept { return ((word >> 1U) & ~word & 0x55555555U) != 0; }
 };
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 
 #include "canny/bounded_fill.hpp"
+#include "canny/four_pixels.hpp"
 #include "straightedge/image.hpp"
 
 namespace straightedge {
@@ -16,11 +16,15 @@ struct ClassBytes {
 
   void set(std::int32_t x, std::int32_t y, std::uint8_t state) const noexcept { pixels.at(x, y) = state; }
 
+  /// Step between the bits of weak_of_three.
+  static constexpr std::uint32_t weak_step = 8;
+
   std::uint32_t weak_of_three(std::int32_t x, std::int32_t y) const noexcept {
     const std::uint8_t* const pixel = pixels.row(y) + x;
-    std::uint32_t weak = pixel[0] == weak_edge ? 2U : 0U;
+    if (x > 0 && x + 2 < pixels.width) return weak_in(load_four_bytes(pixel - 1)) & 0x00FFFFFFU;
+    std::uint32_t weak = pixel[0] == weak_edge ? 1U << weak_step : 0;
     if (x > 0 && pixel[-1] == weak_edge) weak |= 1U;
-    if (x + 1 < pixels.width && pixel[1] == weak_edge) weak |= 4U;
+    if (x + 1 < pixels.width && pixel[1] == weak_edge) weak |= 1U << (2 * weak_step);
     return weak;
   }
 
@@ -34,10 +38,10 @@ struct ClassBytes {
   }
 
  private:
-  // Pending is the state with the second bit and not the first.
+  // One bit for each of four pixels. Weak is the state with the first bit alone, pending with the second.
+  static std::uint32_t weak_in(std::uint32_t states) noexcept { return states & ~(states >> 1U) & 0x01010101U; }
   static bool any_pending(const std::uint8_t* four) noexcept {
-    std::uint32_t states = 0;
-    std::memcpy(&states, four, sizeof states);
+    const std::uint32_t states = load_four_bytes(four);
     return ((states >> 1U) & ~states & 0x01010101U) != 0;
   }
 };

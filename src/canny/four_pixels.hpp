@@ -16,38 +16,31 @@ inline std::uint32_t load_four_bytes(const std::uint8_t* bytes) noexcept {
   return word;
 }
 
-/// Sums of four neighbouring pixels, each at most 2^16 − 1, for processors without vectors: a product of four
-/// pixels with a number is one multiplication.
-///
-/// All four bytes of a word times a number need 40 bits, and the four products overlap. The same with every
-/// other byte masked out needs 32, and its two products do not. The difference of both is the other two.
-struct FourSums {
-  std::uint64_t all = 0;   ///< p0 + 2^8 p1 + 2^16 p2 + 2^24 p3
-  std::uint32_t even = 0;  ///< p0 + 2^16 p2
+/// Numbers of four neighbouring pixels in two words, two 16-bit numbers in each: what a processor without
+/// vectors can add, and multiply by a small number, two at a time. No number may reach 2^16.
+struct FourPixels {
+  std::uint32_t even = 0;  ///< pixel 0 in the low half, pixel 2 in the high half
+  std::uint32_t odd = 0;   ///< pixels 1 and 3
 
-  void add(std::uint32_t pixels, std::uint32_t factor) noexcept {
-    all += std::uint64_t{pixels} * factor;
-    even += (pixels & 0x00FF00FFU) * factor;
+  static FourPixels load(const std::uint8_t* pixels) noexcept {
+    const std::uint32_t word = load_four_bytes(pixels);
+    return {word & 0x00FF00FFU, (word >> 8U) & 0x00FF00FFU};
   }
-  /// The same for two times four pixels.
-  void add(std::uint32_t pixels, std::uint32_t others, std::uint32_t factor) noexcept {
-    all += std::uint64_t{pixels} * factor + std::uint64_t{others} * factor;
-    even += ((pixels & 0x00FF00FFU) + (others & 0x00FF00FFU)) * factor;
-  }
+
+  FourPixels operator+(FourPixels other) const noexcept { return {even + other.even, odd + other.odd}; }
+  FourPixels operator*(std::uint32_t factor) const noexcept { return {even * factor, odd * factor}; }
 
   void store(std::uint16_t* numbers) const noexcept {
-    const auto odd = static_cast<std::uint32_t>((all - even) >> 8U);
     numbers[0] = static_cast<std::uint16_t>(even);
     numbers[1] = static_cast<std::uint16_t>(odd);
     numbers[2] = static_cast<std::uint16_t>(even >> 16U);
     numbers[3] = static_cast<std::uint16_t>(odd >> 16U);
   }
-  void add_to(std::uint16_t* numbers) const noexcept {
-    const auto odd = static_cast<std::uint32_t>((all - even) >> 8U);
-    numbers[0] = static_cast<std::uint16_t>(numbers[0] + even);
-    numbers[1] = static_cast<std::uint16_t>(numbers[1] + odd);
-    numbers[2] = static_cast<std::uint16_t>(numbers[2] + (even >> 16U));
-    numbers[3] = static_cast<std::uint16_t>(numbers[3] + (odd >> 16U));
+
+ private:
+  static void put(std::uint16_t* number, std::uint32_t value) noexcept {
+    const auto low = static_cast<std::uint16_t>(value);
+    std::memcpy(number, &low, sizeof low);
   }
 };
 

@@ -16,16 +16,22 @@ std::uint8_t rounded(std::uint32_t sum) noexcept {
   return static_cast<std::uint8_t>(sum >> 16U);
 }
 
-// Kernels of 2 Margin + 1 taps, all of which stay in registers. Written out by the compiler for each length.
+// Kernels of 2 Margin + 1 taps, written out by the compiler for each length. Two pixels at once, because
+// they share all sums but one on each side; the second may lie beyond the row.
 template <std::ptrdiff_t... K>
 void blur_short(const std::uint16_t* sums, const std::uint16_t* taps, std::uint8_t* blurred,
                 std::int32_t width, std::integer_sequence<std::ptrdiff_t, K...>) noexcept {
   const std::uint16_t* const middle = taps + sizeof...(K);
   const std::uint32_t centre_tap = middle[0];
   const std::uint32_t tap[] = {middle[K + 1]...};
-  for (std::int32_t x = 0; x < width; ++x) {
+  for (std::int32_t x = 0; x < width; x += 2) {
     const std::uint16_t* const s = sums + x;
-    blurred[x] = rounded(half + centre_tap * s[0] + ((tap[K] * (std::uint32_t{s[-K - 1]} + s[K + 1])) + ...));
+    std::uint32_t left = half + centre_tap * s[0], right = half + centre_tap * s[1];
+    ((left += tap[K] * (std::uint32_t{s[-K - 1]} + s[K + 1]),
+      right += tap[K] * (std::uint32_t{s[-K]} + s[K + 2])),
+     ...);
+    blurred[x] = rounded(left);
+    blurred[x + 1] = rounded(right);
   }
 }
 

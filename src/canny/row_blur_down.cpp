@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include <cstddef>
 #include <utility>
 
 #include "canny/four_pixels.hpp"
@@ -9,40 +10,29 @@ namespace straightedge::plain {
 namespace {
 
 // Rows at one distance from the middle have one tap, so they are added before they are multiplied.
-struct RowPair {
-  const std::uint8_t* above;
-  const std::uint8_t* below;
-  std::uint32_t tap;
+FourPixels pair_sum(const std::uint8_t* const* middle, std::ptrdiff_t distance, std::int32_t x) noexcept {
+  return FourPixels::load(middle[-distance] + x) + FourPixels::load(middle[distance] + x);
+}
 
-  RowPair(const std::uint8_t* const* middle, const std::uint16_t* middle_tap, std::int32_t distance) noexcept
-      : above(middle[-distance]), below(middle[distance]), tap(middle_tap[distance]) {}
-
-  void add_to(FourSums& sums, std::int32_t x) const noexcept {
-    sums.add(load_four_bytes(above + x), load_four_bytes(below + x), tap);
-  }
-};
-
-// The row in the middle and the pairs next to it, written out by the compiler for each number of pairs.
-template <std::int32_t... K>
-void begin_sums(const std::uint8_t* const* middle, const std::uint16_t* tap, std::uint16_t* sums,
-                std::int32_t width, std::integer_sequence<std::int32_t, K...>) noexcept {
-  const std::uint8_t* const centre = middle[0];
-  const std::uint32_t centre_tap = tap[0];
-  const RowPair pairs[] = {RowPair(middle, tap, K + 1)...};
+// The row in the middle and a few pairs, written out by the compiler for each number of them.
+template <std::ptrdiff_t... K>
+void blur_short(const std::uint8_t* const* middle, const std::uint16_t* taps, std::uint16_t* sums,
+                std::int32_t width, std::integer_sequence<std::ptrdiff_t, K...>) noexcept {
+  const std::uint32_t centre_tap = taps[0];
+  const std::uint32_t tap[] = {taps[K + 1]...};
   for (std::int32_t x = 0; x < width; x += 4) {
-    FourSums four;
-    four.add(load_four_bytes(centre + x), centre_tap);
-    (pairs[K].add_to(four, x), ...);
-    four.store(sums + x);
+    const FourPixels centre = FourPixels::load(middle[0] + x) * centre_tap;
+    (centre + ... + (pair_sum(middle, K + 1, x) * tap[K])).store(sums + x);
   }
 }
 
-// A pair further out.
-void add_pair(const RowPair& pair, std::uint16_t* sums, std::int32_t width) noexcept {
+// Any number of pairs.
+void blur_long(const std::uint8_t* const* middle, const std::uint16_t* taps, std::int32_t margin,
+               std::uint16_t* sums, std::int32_t width) noexcept {
   for (std::int32_t x = 0; x < width; x += 4) {
-    FourSums four;
-    pair.add_to(four, x);
-    four.add_to(sums + x);
+    FourPixels sum = FourPixels::load(middle[0] + x) * taps[0];
+    for (std::int32_t k = 1; k <= margin; ++k) sum = sum + pair_sum(middle, k, x) * taps[k];
+    sum.store(sums + x);
   }
 }
 
@@ -52,15 +42,14 @@ void blur_down(const std::uint8_t* const* rows, const std::uint16_t* taps, std::
                std::uint16_t* sums, std::int32_t width) noexcept {
   const std::int32_t margin = tap_count / 2;
   const std::uint8_t* const* const middle = rows + margin;
-  const std::uint16_t* const tap = taps + margin;
+  const std::uint16_t* const half = taps + margin;
   switch (margin) {
-    case 1: return begin_sums(middle, tap, sums, width, std::make_integer_sequence<std::int32_t, 1>());
-    case 2: return begin_sums(middle, tap, sums, width, std::make_integer_sequence<std::int32_t, 2>());
-    case 3: return begin_sums(middle, tap, sums, width, std::make_integer_sequence<std::int32_t, 3>());
-    default: break;
+    case 1: return blur_short(middle, half, sums, width, std::make_integer_sequence<std::ptrdiff_t, 1>());
+    case 2: return blur_short(middle, half, sums, width, std::make_integer_sequence<std::ptrdiff_t, 2>());
+    case 3: return blur_short(middle, half, sums, width, std::make_integer_sequence<std::ptrdiff_t, 3>());
+    case 4: return blur_short(middle, half, sums, width, std::make_integer_sequence<std::ptrdiff_t, 4>());
+    default: return blur_long(middle, half, margin, sums, width);
   }
-  begin_sums(middle, tap, sums, width, std::make_integer_sequence<std::int32_t, 4>());
-  for (std::int32_t k = 5; k <= margin; ++k) add_pair(RowPair(middle, tap, k), sums, width);
 }
 
 }  // namespace straightedge::plain

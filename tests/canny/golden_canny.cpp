@@ -4,13 +4,13 @@
 #include <map>
 #include <string>
 
-#include "canny/stages.hpp"
+#include "canny/row_forms.hpp"
 #include "straightedge/gray.hpp"
 #include "support/catch.hpp"
 #include "support/file_bytes.hpp"
 #include "support/golden.hpp"
 
-using namespace stages;
+using namespace row_forms;
 using support::GoldenRecord;
 
 namespace {
@@ -70,12 +70,14 @@ bool sobel_equals(const GrayImage& image, const GoldenRecord& record) {
 }
 
 bool canny_equals(const GrayImage& image, const GoldenRecord& record) {
-  const GrayImage edges =
-      edges_of(image, {.sigma = record.number("sigma"),
-                       .aperture = record.integer("aperture"),
-                       .norm = record.text("norm") == "l2" ? GradientNorm::l2 : GradientNorm::l1,
-                       .low = record.number("low"),
-                       .high = record.number("high")});
+  const CannyOptions options{.sigma = record.number("sigma"),
+                             .aperture = record.integer("aperture"),
+                             .norm = record.text("norm") == "l2" ? GradientNorm::l2 : GradientNorm::l1,
+                             .low = record.number("low"),
+                             .high = record.number("high")};
+  const GrayImage edges = edges_of(image, options);
+  CHECK(fused(image, options).edges == edges);
+  CHECK(by_rows(image, options).edges == edges);
   std::string bits((hysteresis_stack_size(image.size()) + 7) / 8, '\0');
   std::size_t i = 0;
   for (int y = 0; y < image.size().height; ++y) {
