@@ -12,7 +12,7 @@ namespace straightedge {
 
 /// A number that is NaN or outside its range gives `invalid_option`.
 struct FramePlanesOptions {
-  PlaneGate gate;
+  PlaneGate gate = {};
   /// A plane with fewer pixels leaves; 0: one thousandth of the picture, at least 64.
   std::uint32_t min_pixels = 0;
   std::uint32_t max_planes = 64;  ///< at most 256
