@@ -59,9 +59,10 @@ class FramePlanes {
   /// invalid_option: an option out of its range; too_large: more than 2^28 pixels.
   Status prepare(Size size, const FramePlanesOptions& options, std::span<std::byte> workspace) noexcept;
 
-  /// `labels` has the frame's size; `planes` as many entries as planes are wanted (output_full when more
-  /// were found; the smaller ones then are unlabelled). Label k is planes[k − 1]. What the search refuses,
-  /// such as a frame of another size than it was prepared for, comes back as its status.
+  /// `labels` has the frame's size, and may be the very memory of depth.raw, which is read first and once;
+  /// `planes` as many entries as planes are wanted (output_full when more were found; the smaller ones then
+  /// are unlabelled). Label k is planes[k − 1]. What the search refuses, such as a frame of another size than
+  /// it was prepared for, comes back as its status.
   Status run(const DepthView& depth, const PlaneSearch& search, ImageView<std::uint16_t> labels,
              std::span<FoundPlane> planes, PlanesFound& found) noexcept;
 
@@ -94,7 +95,7 @@ class FramePlanes {
     candidates_ = arena.take<ProposedPlane>(options.max_planes);
     surfaces_ = arena.take<detail::BentPlane>(options.max_planes);
     sums_ = arena.take<detail::QuadraticSums>(options.max_planes);
-    contacts_ = arena.take<std::uint32_t>(std::size_t{options.max_planes} * options.max_planes);
+    contacts_ = arena.take<std::uint32_t>(std::size_t{options.max_planes} * (options.max_planes - 1U) / 2);
     moments_ = arena.take<InverseDepthMoments>(options.max_planes);
     becomes_ = arena.take<std::uint16_t>(options.max_planes);
     new_label_ = arena.take<std::uint16_t>(std::size_t{options.max_planes} + 1);
@@ -122,7 +123,7 @@ class FramePlanes {
   std::span<ProposedPlane> candidates_;
   std::span<detail::BentPlane> surfaces_;
   std::span<detail::QuadraticSums> sums_;
-  std::span<std::uint32_t> contacts_;  // pairs of touching cells of two planes, a square table
+  std::span<std::uint32_t> contacts_;  // touching cells of each pair of planes
   std::span<InverseDepthMoments> moments_;
   /// What becomes of each plane: itself, an earlier one that it is joined into, or gone; in the end their
   /// order.

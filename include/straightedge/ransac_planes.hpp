@@ -30,12 +30,13 @@ struct RansacPlanesMemory {
 
   static constexpr RansacPlanesMemory take(Arena& arena, std::size_t readings,
                                            const RansacOptions& options) noexcept {
-    const std::size_t subset = (static_cast<std::size_t>(options.subset) + 15) / 16 * 16;
+    const std::size_t drawn = options.subset < readings ? options.subset : readings;
+    const std::size_t subset = (drawn + 15) / 16 * 16;
     RansacPlanesMemory m;
     for (std::span<float>* column : {&m.x, &m.y, &m.z, &m.w, &m.place_x, &m.place_y, &m.place_z})
       *column = arena.take<float>(subset);
     m.reading = arena.take<std::uint32_t>(subset);
-    m.near = arena.take<std::uint32_t>(subset);
+    m.near = arena.take<std::uint32_t>(options.near_radius > 0 ? subset : 0);
     m.label = arena.take<std::uint16_t>(readings);
     if (options.split) {
       m.cell = arena.take<std::uint64_t>(readings);
@@ -76,7 +77,8 @@ struct RansacPlanesMemory {
 ///
 /// Results depend on the seed alone. In a cloud, points that are no readings change nothing but the places of
 /// the others' labels. Time: for each plane hypotheses times subset, and three passes over all readings.
-/// Memory: 2 bytes a reading and 36 a reading of the subset; with `split` 20 bytes a reading more.
+/// Memory: 2 bytes a reading and 32 a reading of the subset; with near_radius 4 more of these, with `split`
+/// 20 bytes a reading more.
 class RansacPlanes {
  public:
   /// 0 for options that `prepare` refuses.

@@ -28,14 +28,18 @@ void sort_by_pixels(std::span<const InverseDepthMoments> moments, std::span<std:
   }
 }
 
-/// How many pairs of neighbouring cells belong to planes i and j: a symmetric table.
-void count_contacts(Size size, std::span<const std::uint16_t> labels, std::size_t planes,
+/// The entry of two planes in a table of pairs.
+std::uint32_t& of_pair(std::span<std::uint32_t> contacts, std::size_t i, std::size_t j) noexcept {
+  return i < j ? contacts[j * (j - 1) / 2 + i] : contacts[i * (i - 1) / 2 + j];
+}
+
+/// How many pairs of neighbouring cells belong to planes i and j.
+void count_contacts(Size size, std::span<const std::uint16_t> labels,
                     std::span<std::uint32_t> contacts) noexcept {
   std::fill(contacts.begin(), contacts.end(), 0U);
   const auto count = [&](std::uint16_t a, std::uint16_t b) noexcept {
     if (a == 0 || b == 0 || a == b) return;
-    ++contacts[(a - 1U) * planes + (b - 1U)];
-    ++contacts[(b - 1U) * planes + (a - 1U)];
+    ++of_pair(contacts, a - 1U, b - 1U);
   };
   const auto width = static_cast<std::size_t>(size.width);
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -91,19 +95,17 @@ void FramePlanes::refit(const PinholeCamera& camera) noexcept {
 }
 
 void FramePlanes::join(const detail::PlaneSurfaces& fitting) noexcept {
-  const std::span<std::uint32_t> contacts = contacts_.first(std::size_t{count_} * count_);
-  count_contacts(cells_.size(0), cell_labels_[0], count_, contacts);
+  count_contacts(cells_.size(0), cell_labels_[0], contacts_);
   for (std::uint16_t i = 0; i < count_; ++i) {
     if (becomes_[i] != i) continue;
     for (std::uint16_t j = i + 1U; j < count_; ++j) {
       detail::BentPlane both;
-      const std::uint32_t touching = contacts[std::size_t{i} * count_ + j];
+      const std::uint32_t touching = of_pair(contacts_, i, j);
       if (becomes_[j] != j || !fitting.are_one(sums_[i], sums_[j], touching, both)) continue;
       surfaces_[i] = both;
       sums_[i].add(sums_[j]);
       for (std::size_t k = 0; k < count_; ++k) {
-        contacts[std::size_t{i} * count_ + k] += contacts[std::size_t{j} * count_ + k];
-        contacts[k * count_ + i] = contacts[std::size_t{i} * count_ + k];
+        if (k != i && k != j) of_pair(contacts_, i, k) += of_pair(contacts_, j, k);
       }
       candidates_[i].score += candidates_[j].score;
       candidates_[i].confidence = std::max(candidates_[i].confidence, candidates_[j].confidence);

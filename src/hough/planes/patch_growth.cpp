@@ -21,7 +21,7 @@ struct PatchSum {
   std::uint32_t patches = 0;
 
   void add(const HoughPatch& patch) noexcept {
-    moments.add(patch.moments);
+    moments.add(*patch.moments);
     ++patches;
   }
 };
@@ -41,7 +41,7 @@ HoughPatch* find_seed(const PatchScene& scene, const PatchPool& pool, const Plan
   HoughPatch* best = nullptr;
   for (const HoughPatchMean& mean : pool.free) {
     HoughPatch& patch = pool.of(mean);
-    if (!patch.votes || (best != nullptr && patch.moments.n <= best->moments.n)) continue;
+    if (!patch.votes || (best != nullptr && patch.moments->n <= best->moments->n)) continue;
     if (near_peak(scene, patch, peak)) best = &patch;
   }
   return best;
@@ -75,7 +75,7 @@ bool agrees(const PatchScene& scene, const HoughPatch& patch, const InverseDepth
   const double known = u * (aa * u + 2 * (ab * v + ac)) + v * (bb * v + 2 * bc) + cc;
   if (!(known <= most_known * most_known * variance)) return false;
   const double warp = scene.options.warp_sigmas * scene.options.warp_sigmas * variance;
-  const double mean = off * off / (patch.noise / patch.moments.n + known + warp);
+  const double mean = off * off / (patch.noise / patch.moments->n + known + warp);
   return mean <= most_distance && mean + slope_distance(scene, patch, fit) <= most_distance;
 }
 

@@ -116,7 +116,7 @@ bool Tree::planar(const Square& s, const InverseDepthMoments& m) noexcept {
   patch.x = s.column * side;
   patch.y = s.row * side;
   patch.side = side;
-  patch.moments = m;
+  patch.moments = &m;
   patch.plane = plane;
   patch.mean_u = c.u;
   patch.mean_v = c.v;
