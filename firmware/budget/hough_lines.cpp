@@ -21,7 +21,7 @@ constexpr HoughOptions options_for(Size size) noexcept {
           .min_length = size.width / 20.0,
           .max_gap = 4,
           .max_edge_pixels = static_cast<std::uint32_t>(firmware::pixels_of(size) * 5 / 48),
-          .max_draws = firmware::pixels_of(size)};
+          .max_draws = firmware::pixels_of(size) / 8};
 }
 
 [[gnu::section(".big.workspace")]] alignas(

@@ -15,6 +15,7 @@ struct Point {
 };
 
 constexpr OctreeOptions options{.grid = {.origin = {}, .leaf_m = 0.05}, .max_leaves = 0};
+constexpr std::size_t nth_point = 8;  // is asked for its nearest neighbour
 constexpr std::uint32_t most_points = firmware::most_pixels / 16;
 [[gnu::section(".big.depth")]] std::array<std::uint16_t, firmware::most_pixels> depth;
 [[gnu::section(".big.points")]] std::array<Point, most_points> cloud;
@@ -49,7 +50,7 @@ bool measure(Size size) noexcept {
   return firmware::count("Octree/nearest", size, bytes, [&] {
     bool good = true;
     OctreeNeighbour found;
-    for (std::size_t i = 0; i < points.count; ++i) {
+    for (std::size_t i = 0; i < points.count; i += nth_point) {
       good &= octree.nearest(points.at(i) + Vector3{0.01, 0.02, 0.03}, found).found == 1;
     }
     return good;
