@@ -6,6 +6,8 @@
 
 #include "rows.hpp"
 #include "straightedge/canny.hpp"
+#include "straightedge/canny_fused.hpp"
+#include "straightedge/canny_rows.hpp"
 #include "straightedge/gaussian.hpp"
 #include "straightedge/gray.hpp"
 #include "straightedge/hysteresis.hpp"
@@ -111,6 +113,28 @@ auto prepare_canny(const Job& job) {
   return [s] { require(s->canny.run(s->gray, s->edges.view()).status, "canny"); };
 }
 
+auto prepare_canny_fused(const Job& job) {
+  auto s = std::make_shared<Stages>(job);
+  auto workspace = std::make_shared<std::vector<std::byte>>(FusedCanny::workspace_bytes(s->size, options));
+  auto canny = std::make_shared<FusedCanny>();
+  require(FusedCanny::prepare(*canny, s->size, options, *workspace), "prepare");
+  return [s, workspace, canny] { require(canny->run(s->gray, s->edges.view()).status, "fused canny"); };
+}
+
+auto prepare_canny_by_rows(const Job& job) {
+  auto s = std::make_shared<Stages>(job);
+  auto workspace = std::make_shared<std::vector<std::byte>>(CannyRows::workspace_bytes(s->size, options));
+  auto canny = std::make_shared<CannyRows>();
+  require(CannyRows::prepare(*canny, s->size, options, *workspace), "prepare");
+  return [s, workspace, canny] {
+    require(canny->begin(), "begin");
+    for (std::int32_t y = 0; y < s->size.height; ++y) {
+      require(canny->push_row({&s->gray.at(0, y), static_cast<std::size_t>(s->size.width)}), "row");
+    }
+    require(canny->finish().status, "canny by rows");
+  };
+}
+
 }  // namespace
 
 void add_canny_rows(const Job& job) {
@@ -121,6 +145,8 @@ void add_canny_rows(const Job& job) {
   add_row("suppress", job, prepare_suppress);
   add_row("hysteresis", job, prepare_hysteresis);
   add_row("canny", job, prepare_canny);
+  add_row("canny_fused", job, prepare_canny_fused);
+  add_row("canny_by_rows", job, prepare_canny_by_rows);
 }
 
 }  // namespace bench

@@ -54,8 +54,8 @@ class FusedCanny {
   static Status prepare(FusedCanny& canny, Size size, const CannyOptions& options,
                         std::span<std::byte> workspace, const CannyRowOptions& rows = {}) noexcept;
 
-  /// `edges`: 255 on edges, 0 elsewhere; it may be the very view of `gray`. Both views have the prepared size.
-  /// Errors, with `edges` untouched: `not_prepared`, `invalid_image`, `size_mismatch`.
+  /// `edges`: 255 on edges, 0 elsewhere; it may be the very view of `gray`. Both views have the prepared
+  /// size. Errors, with `edges` untouched: `not_prepared`, `invalid_image`, `size_mismatch`.
   CannyResult run(GrayView gray, ImageView<std::uint8_t> edges) noexcept;
 
  private:
@@ -65,8 +65,7 @@ class FusedCanny {
 
     static constexpr Memory take(Arena& arena, Size size, const CannyOptions& options,
                                  const CannyRowOptions& rows) noexcept {
-      const std::size_t pixels =
-          static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+      const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
       Memory memory;
       memory.rows = detail::CannyRowMemory::take(arena, size, options);
       memory.worklist = arena.take<std::uint32_t>(std::min<std::size_t>(rows.worklist, pixels));

@@ -10,9 +10,9 @@
 #include "straightedge/arena.hpp"
 #include "straightedge/canny.hpp"
 #include "straightedge/canny_row_kernels.hpp"
+#include "straightedge/detail/canny_class_plane.hpp"
 #include "straightedge/detail/canny_row_memory.hpp"
 #include "straightedge/detail/canny_row_recipe.hpp"
-#include "straightedge/detail/canny_class_plane.hpp"
 #include "straightedge/image.hpp"
 #include "straightedge/status.hpp"
 

@@ -27,8 +27,8 @@ inline constexpr std::uint8_t pending_edge = strong_edge;
 inline constexpr std::uint8_t traced_edge = 3;
 
 /// `Classes` is where the pixels' states are kept: `set(x, y, state)`; `weak_of_three(x, y)`, whose bits 0,
-/// weak_step and 2 weak_step say whether pixels x − 1, x, x + 1 are weak; and `next_pending(x, y)`, the first pending pixel of row y at or
-/// right of x, or the width.
+/// weak_step and 2 weak_step say whether pixels x − 1, x, x + 1 are weak; and `next_pending(x, y)`, the first
+/// pending pixel of row y at or right of x, or the width.
 template <class Classes>
 class BoundedFill {
  public:

@@ -53,7 +53,8 @@ CannyResult FusedCanny::run(GrayView gray, ImageView<std::uint8_t> edges) noexce
   recipe_.begin();
   for (std::int32_t y = 0; y < size_.height; ++y) {
     recipe_.push(gray.row(y));
-    while (recipe_.next(edges.row(recipe_.rows_out()))) {}
+    while (recipe_.next(edges.row(recipe_.rows_out()))) {
+    }
   }
 
   // Step 6.

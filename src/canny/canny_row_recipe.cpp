@@ -58,11 +58,11 @@ bool CannyRowRecipe::next(std::uint8_t* classes) noexcept {
   // Step 5.
   if (y + 1 == size_.height) clear_magnitude(y + 1);
   if (options_.norm == GradientNorm::l1) {
-    strong_ += kernels_->suppress_l1(rows_around(memory_.magnitude_l1, memory_, y), limits_, classes,
-                                     size_.width);
+    strong_ +=
+        kernels_->suppress_l1(rows_around(memory_.magnitude_l1, memory_, y), limits_, classes, size_.width);
   } else {
-    strong_ += kernels_->suppress_l2(rows_around(memory_.magnitude_l2, memory_, y), limits_, classes,
-                                     size_.width);
+    strong_ +=
+        kernels_->suppress_l2(rows_around(memory_.magnitude_l2, memory_, y), limits_, classes, size_.width);
   }
   ++class_rows_;
   return true;

@@ -66,7 +66,8 @@ Status CannyRows::push_row(std::span<const std::uint8_t> gray) noexcept {
 
   // Steps 1 to 5.
   recipe_.push(gray.data());
-  while (recipe_.next(memory_.class_row.data())) pack_row(memory_.class_row, classes.row(recipe_.rows_out() - 1));
+  while (recipe_.next(memory_.class_row.data()))
+    pack_row(memory_.class_row, classes.row(recipe_.rows_out() - 1));
   return Status::ok;
 }
 

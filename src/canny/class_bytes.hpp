@@ -39,7 +39,9 @@ struct ClassBytes {
 
  private:
   // One bit for each of four pixels. Weak is the state with the first bit alone, pending with the second.
-  static std::uint32_t weak_in(std::uint32_t states) noexcept { return states & ~(states >> 1U) & 0x01010101U; }
+  static std::uint32_t weak_in(std::uint32_t states) noexcept {
+    return states & ~(states >> 1U) & 0x01010101U;
+  }
   static bool any_pending(const std::uint8_t* four) noexcept {
     const std::uint32_t states = load_four_bytes(four);
     return ((states >> 1U) & ~states & 0x01010101U) != 0;

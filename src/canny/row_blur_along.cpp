@@ -63,11 +63,16 @@ void blur_long(const std::uint16_t* sums, const std::uint16_t* taps, std::int32_
 void blur_along(const std::uint16_t* sums, const std::uint16_t* taps, std::int32_t tap_count,
                 std::uint8_t* blurred, std::int32_t width) noexcept {
   switch (tap_count) {
-    case 3: return blur_short<1>(sums, taps, blurred, width);
-    case 5: return blur_short<2>(sums, taps, blurred, width);
-    case 7: return blur_short<3>(sums, taps, blurred, width);
-    case 9: return blur_short<4>(sums, taps, blurred, width);
-    default: return blur_long(sums, taps, tap_count, blurred, width);
+    case 3:
+      return blur_short<1>(sums, taps, blurred, width);
+    case 5:
+      return blur_short<2>(sums, taps, blurred, width);
+    case 7:
+      return blur_short<3>(sums, taps, blurred, width);
+    case 9:
+      return blur_short<4>(sums, taps, blurred, width);
+    default:
+      return blur_long(sums, taps, tap_count, blurred, width);
   }
 }
 

@@ -44,11 +44,16 @@ void blur_down(const std::uint8_t* const* rows, const std::uint16_t* taps, std::
   const std::uint8_t* const* const middle = rows + margin;
   const std::uint16_t* const half = taps + margin;
   switch (margin) {
-    case 1: return blur_short(middle, half, sums, width, std::make_integer_sequence<std::ptrdiff_t, 1>());
-    case 2: return blur_short(middle, half, sums, width, std::make_integer_sequence<std::ptrdiff_t, 2>());
-    case 3: return blur_short(middle, half, sums, width, std::make_integer_sequence<std::ptrdiff_t, 3>());
-    case 4: return blur_short(middle, half, sums, width, std::make_integer_sequence<std::ptrdiff_t, 4>());
-    default: return blur_long(middle, half, margin, sums, width);
+    case 1:
+      return blur_short(middle, half, sums, width, std::make_integer_sequence<std::ptrdiff_t, 1>());
+    case 2:
+      return blur_short(middle, half, sums, width, std::make_integer_sequence<std::ptrdiff_t, 2>());
+    case 3:
+      return blur_short(middle, half, sums, width, std::make_integer_sequence<std::ptrdiff_t, 3>());
+    case 4:
+      return blur_short(middle, half, sums, width, std::make_integer_sequence<std::ptrdiff_t, 4>());
+    default:
+      return blur_long(middle, half, margin, sums, width);
   }
 }
 

@@ -45,7 +45,8 @@ void gradient_of_3(const std::uint8_t* const* rows, std::int16_t* __restrict dx,
 // Step 1 of sobel.hpp. The rows have their margins, and so have the sums.
 template <int Side, std::size_t... K>
 void sum_columns(const std::uint8_t* const* rows, std::int16_t* __restrict smoothed,
-                 std::int16_t* __restrict differences, std::int32_t length, std::index_sequence<K...>) noexcept {
+                 std::int16_t* __restrict differences, std::int32_t length,
+                 std::index_sequence<K...>) noexcept {
   using Taps = SobelTaps<Side>;
   const std::uint8_t* const row[] = {(rows[K] - Side / 2)...};
   for (std::int32_t x = 0; x < length; ++x) {

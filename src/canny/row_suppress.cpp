@@ -15,10 +15,14 @@ template <class M>
 bool is_crest(const MagnitudeRows<M>& rows, std::int32_t x) noexcept {
   const M m = rows.here[x];
   switch (gradient_sector_16(rows.dx[x], rows.dy[x])) {
-    case GradientSector::horizontal: return m > rows.here[x - 1] && m >= rows.here[x + 1];
-    case GradientSector::vertical: return m > rows.above[x] && m >= rows.below[x];
-    case GradientSector::falling: return m > rows.above[x - 1] && m > rows.below[x + 1];
-    case GradientSector::rising: return m > rows.above[x + 1] && m > rows.below[x - 1];
+    case GradientSector::horizontal:
+      return m > rows.here[x - 1] && m >= rows.here[x + 1];
+    case GradientSector::vertical:
+      return m > rows.above[x] && m >= rows.below[x];
+    case GradientSector::falling:
+      return m > rows.above[x - 1] && m > rows.below[x + 1];
+    case GradientSector::rising:
+      return m > rows.above[x + 1] && m > rows.below[x - 1];
   }
   return false;
 }

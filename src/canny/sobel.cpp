@@ -31,8 +31,8 @@ void sum_columns(GrayView gray, std::int32_t y, Border border, const SobelScratc
   for (int k = 0; k < Side; ++k) {
     const std::int32_t source = border_index(y - margin + k, gray.height, border);
     if (source == border_zero) continue;
-    add_row(gray.row(source), SobelTaps<Side>::smooth[k], SobelTaps<Side>::difference[k], smoothed, differences,
-            gray.width);
+    add_row(gray.row(source), SobelTaps<Side>::smooth[k], SobelTaps<Side>::difference[k], smoothed,
+            differences, gray.width);
   }
   fill_margins(scratch.smoothed.data(), gray.width, margin, border);
   fill_margins(scratch.difference.data(), gray.width, margin, border);
@@ -43,7 +43,8 @@ void filter_image(GrayView gray, Border border, const SobelScratch& scratch, Ima
                   ImageView<std::int16_t> dy) noexcept {
   for (std::int32_t y = 0; y < gray.height; ++y) {
     sum_columns<Side>(gray, y, border, scratch);
-    sobel_filter_row<Side, Scale>(scratch.smoothed.data(), SobelTaps<Side>::difference, dx.row(y), gray.width);
+    sobel_filter_row<Side, Scale>(scratch.smoothed.data(), SobelTaps<Side>::difference, dx.row(y),
+                                  gray.width);
     sobel_filter_row<Side, Scale>(scratch.difference.data(), SobelTaps<Side>::smooth, dy.row(y), gray.width);
   }
 }

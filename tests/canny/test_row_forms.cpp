@@ -37,11 +37,11 @@ Forms prepare_both(Size size, const CannyOptions& options, const CannyRowOptions
   GuardedWorkspace fused_memory(fused_bytes), row_memory(row_bytes);
   FusedCanny fused;
   CannyRows by_row;
-  const Forms status{FusedCanny::prepare(fused, size, options,
-                                         fused_memory.bytes().first(std::max(fused_bytes, missing) - missing),
-                                         rows),
-                     CannyRows::prepare(by_row, size, options,
-                                        row_memory.bytes().first(std::max(row_bytes, missing) - missing), rows)};
+  const Forms status{
+      FusedCanny::prepare(fused, size, options,
+                          fused_memory.bytes().first(std::max(fused_bytes, missing) - missing), rows),
+      CannyRows::prepare(by_row, size, options,
+                         row_memory.bytes().first(std::max(row_bytes, missing) - missing), rows)};
   CHECK((by_row.begin() == Status::ok) == (status.rows == Status::ok));
   CHECK((fused_bytes == 0) == (status.fused != Status::ok && missing == 0));
   CHECK((row_bytes == 0) == (status.rows != Status::ok && missing == 0));
@@ -50,7 +50,8 @@ Forms prepare_both(Size size, const CannyOptions& options, const CannyRowOptions
   return status;
 }
 
-void check_refused(Size size, const CannyOptions& options, Status expected, const CannyRowOptions& rows = {}) {
+void check_refused(Size size, const CannyOptions& options, Status expected,
+                   const CannyRowOptions& rows = {}) {
   const Forms status = prepare_both(size, options, rows);
   CHECK(status.fused == expected);
   CHECK(status.rows == expected);

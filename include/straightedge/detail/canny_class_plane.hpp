@@ -7,9 +7,9 @@
 
 #include "straightedge/image.hpp"
 
-// Classes of edges at two bits a pixel: sixteen pixels a word, the leftmost in the lowest bits. Each row begins
-// with a word of its own and ends with one pixel or more that are always none, and so are a row above the
-// picture and one below: neighbours can be looked at without asking where the picture ends.
+// Classes of edges at two bits a pixel: sixteen pixels a word, the leftmost in the lowest bits. Each row
+// begins with a word of its own and ends with one pixel or more that are always none, and so are a row above
+// the picture and one below: neighbours can be looked at without asking where the picture ends.
 namespace straightedge::detail {
 
 constexpr std::size_t class_words_in_row(std::int32_t width) noexcept {
