@@ -30,6 +30,7 @@ Status FusedCanny::prepare(FusedCanny& canny, Size size, const CannyOptions& opt
   canny.prepared_ = false;
   const Status status = detail::CannyRowRecipe::check(size, options, rows);
   if (status != Status::ok) return status;
+  if (rows.kernels == nullptr) return Status::invalid_option;
   if (workspace.data() == nullptr || workspace.size() < workspace_bytes(size, options, rows)) {
     return Status::workspace_too_small;
   }

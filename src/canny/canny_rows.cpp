@@ -35,6 +35,7 @@ Status CannyRows::prepare(CannyRows& canny, Size size, const CannyOptions& optio
   canny.phase_ = Phase::unprepared;
   const Status status = detail::CannyRowRecipe::check(size, options, rows);
   if (status != Status::ok) return status;
+  if (rows.kernels == nullptr) return Status::invalid_option;
   if (workspace.data() == nullptr || workspace.size() < workspace_bytes(size, options, rows)) {
     return Status::workspace_too_small;
   }

@@ -77,11 +77,19 @@ TEST_CASE("row forms refuse what Canny refuses, and automatic thresholds") {
   check_refused({20, 10}, {.low = 2, .high = 1}, Status::invalid_option);
   check_refused({20, 10}, {.thresholds = CannyThresholds::automatic}, Status::invalid_option);
   check_refused({20, 10}, {}, Status::invalid_option, {.worklist = 0});
-  check_refused({20, 10}, {}, Status::invalid_option, {.kernels = nullptr});
   check_refused({0, 10}, {}, Status::invalid_image);
   check_refused({10, -1}, {}, Status::invalid_image);
   check_refused({1 << 16, 1 << 15}, {}, Status::too_large);
   check_refused({INT32_MAX, 1}, {}, Status::too_large);
+}
+
+TEST_CASE("row forms refuse to be without kernels") {
+  std::vector<std::byte> memory(100000);
+  FusedCanny fused;
+  CannyRows by_row;
+  CHECK(FusedCanny::prepare(fused, {20, 10}, {}, memory, {.kernels = nullptr}) == Status::invalid_option);
+  CHECK(CannyRows::prepare(by_row, {20, 10}, {}, memory, {.kernels = nullptr}) == Status::invalid_option);
+  CHECK(by_row.begin() == Status::not_prepared);
 }
 
 TEST_CASE("row forms: a workspace that is one byte short is refused") {

@@ -22,13 +22,14 @@ namespace straightedge::detail {
 /// still needs.
 class CannyRowRecipe {
  public:
-  /// What `prepare` says about size and options, here and in both forms.
+  /// What `prepare` says about size and options, in both forms, which look at the table of kernels too. (Here
+  /// it would be no constant expression to compilers that do not trust addresses to be other than null.)
   static constexpr Status check(Size size, const CannyOptions& options,
                                 const CannyRowOptions& rows) noexcept {
     const Status status = Canny::check(size, options);
     if (status != Status::ok) return status;
     if (options.thresholds == CannyThresholds::automatic) return Status::invalid_option;
-    if (rows.worklist == 0 || rows.kernels == nullptr) return Status::invalid_option;
+    if (rows.worklist == 0) return Status::invalid_option;
     const auto pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
     return pixels > max_row_canny_pixels ? Status::too_large : Status::ok;
   }
