@@ -51,13 +51,17 @@ struct Level {
   }
   std::uint16_t label_of(const InverseDepthMoments& cell, const LabelsAround& near,
                          std::span<const InverseDepthPlane> flat) const noexcept {
-    const double noise = gate.inverse_noise(cell.q / cell.n);
+    const double q = cell.q / cell.n;
+    const double noise = gate.inverse_noise(q);
     const double unit = cell.n * noise * noise;
     Best best;
     for (std::size_t k = 0; k < near.count; ++k) best.offer(near.labels[k], squared_residuals(cell, flat[k]));
     if (best.squares < pure_of_neighbour[static_cast<std::size_t>(level)] * unit) return best.label;
     const double u = cell.u / cell.n, v = cell.v / cell.n;
     for (std::size_t k = 0; k < planes.size(); ++k) {
+      // The squares are at least those of the means: a plane far from them cannot become the cell's.
+      const double off = q - planes[k].at(u, v);
+      if (off * off > 2 * pure * noise * noise) continue;
       best.offer(static_cast<std::uint16_t>(k + 1), squared_residuals(cell, planes[k].tangent(u, v)));
     }
     return best.squares < pure * unit ? best.label : std::uint16_t{0};

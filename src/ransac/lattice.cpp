@@ -27,6 +27,16 @@ struct Pixels {
   std::int32_t u0 = 0, v0 = 0, width = 0, height = 0;
 };
 
+/// False: no reading, or masked. The mask is asked first: it is cheaper.
+bool read_free(ImageView<const float> inverse_depth, ImageView<const std::uint16_t> mask, std::int32_t u,
+               std::int32_t v, const PlaneGate& gate, float& q, float& w) noexcept {
+  if (mask.data != nullptr && mask.at(u, v) != 0) return false;
+  q = inverse_depth.at(u, v);
+  if (!(q > 0)) return false;
+  w = inverse_gate(gate, q);
+  return is_reading(q, w);
+}
+
 /// Begins at a pixel drawn by chance and takes the first reading from there on, row by row and round again.
 bool draw_reading(const Lattice& lattice, const Pixels& p, std::size_t cell,
                   ImageView<const float> inverse_depth, ImageView<const std::uint16_t> mask,
@@ -34,9 +44,8 @@ bool draw_reading(const Lattice& lattice, const Pixels& p, std::size_t cell,
   std::int32_t u = p.u0 + static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(p.width)));
   std::int32_t v = p.v0 + static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(p.height)));
   for (std::int32_t tried = 0; tried < p.width * p.height; ++tried) {
-    const float q = inverse_depth.at(u, v);
-    const float w = inverse_gate(gate, q);
-    if (is_reading(q, w) && (mask.data == nullptr || mask.at(u, v) == 0)) {
+    float q = 0, w = 0;
+    if (read_free(inverse_depth, mask, u, v, gate, q, w)) {
       lattice.memory.u[cell] = static_cast<float>(u);
       lattice.memory.v[cell] = static_cast<float>(v);
       lattice.memory.q[cell] = lattice.memory.free_q[cell] = q;
