@@ -12,6 +12,7 @@ every run, and they change with the compiler alone. With another compiler than t
 at the bars only.
 """
 import argparse
+import concurrent.futures
 import pathlib
 import re
 import subprocess
@@ -85,9 +86,11 @@ def measure(build):
         programs = sorted((build / "firmware/budget").glob(f"budget_*_{board}.elf"))
         if not programs:
             sys.exit(f"no budget program for {board} in {build}")
-        for program in programs:
+        with concurrent.futures.ThreadPoolExecutor() as several:
+            all_rows = list(several.map(lambda program: run(program, machine, build), programs))
+        for program, rows in zip(programs, all_rows):
             code, constants = code_and_constants(program)
-            for name, width, height, workspace, instructions in run(program, machine, build):
+            for name, width, height, workspace, instructions in rows:
                 owner = name.split("/")[0] + "::"
                 pixels = width * height
                 found.setdefault((name, ""), {}).update({

@@ -11,7 +11,8 @@ namespace {
 
 using namespace straightedge;
 
-constexpr RansacOptions options{};
+// Fewer readings than the default to score hypotheses on: as sure, for less.
+constexpr RansacOptions options{.subset = 512};
 [[gnu::section(".big.workspace")]] alignas(
     64) std::array<std::byte, RansacPlanes::workspace_bytes(firmware::most_pixels, options)> workspace;
 [[gnu::section(".big.inverse")]] std::array<float, firmware::most_pixels> inverse;
