@@ -154,8 +154,8 @@ def differences(found, page):
             yield f"{' '.join(key)}: {column} is in the table, but was not measured"
 
 
-def broken_bars(found):
-    for key, limits in BARS.items():
+def broken_bars(found, bars):
+    for key, limits in bars.items():
         for column, limit in limits.items():
             figure = found.get(key, {}).get(column)
             if figure is None:
@@ -188,7 +188,7 @@ def main():
         arguments.write.write_text(f"{head}{BEGIN}\n{text}\n{END}{tail}")
     if arguments.check:
         old = between_marks(arguments.check)[1]
-        breaches = list(broken_bars(found))
+        breaches = list(broken_bars(found, BARS))
         if compiler() in old:
             breaches += differences(found, old)
         else:
