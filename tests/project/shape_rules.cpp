@@ -74,7 +74,7 @@ std::vector<Breach> shape_breaches(const fs::path& root) {
     }
     if (name.starts_with("src/") && code) check_functions(name, lines, breaches);
   };
-  for (const char* folder : {"src", "include", "tests", "bench", "examples", "cmake", "scripts"}) {
+  for (const char* folder : {"src", "include", "tests", "bench", "examples", "firmware", "cmake", "scripts"}) {
     const auto files =
         files_below(root / folder, {".cpp", ".hpp", ".cmake", ".in", ".sh", ".py", "CMakeLists.txt"});
     for (const fs::path& file : files) {
