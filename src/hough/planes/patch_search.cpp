@@ -90,6 +90,7 @@ Status grow_peaks(Search& search) noexcept {
   for (const HoughPlanePeak& peak : memory.peaks.first(peaks)) {
     if (search.found == memory.candidates.size()) break;
     ProposedPlane& candidate = memory.candidates[search.found];
+    candidate = {};
     const Plane plane = accumulator.plane(peak.direction, peak.distance);
     if (!search.trace({.step = HoughPlaneStep::peak, .plane = plane, .votes = peak.votes})) {
       return Status::cancelled;
