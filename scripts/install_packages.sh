@@ -2,20 +2,28 @@
 # SPDX-FileCopyrightText: 2026 Straightedge contributors
 # SPDX-License-Identifier: MIT
 #
-# Installs the Debian or Ubuntu packages that are missing here: install_packages.sh [program|tests]
+# Installs the Debian or Ubuntu packages that are missing here: install_packages.sh [program|tests|cross]
 #   program  what the library and the program are built from
 #   tests    that, and what the tests, examples, benchmarks, the second compiler and the emulated boards
 #            need (default)
+#   cross    compilers and emulators for i686, aarch64 and WebAssembly, and what `tests` names
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libtinyxml2-dev libstb-dev libpng-dev
   libyaml-cpp-dev libcli11-dev nlohmann-json3-dev)
+tests=(binutils ccache catch2 clang libbenchmark-dev libxml2-utils
+  gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib libnewlib-arm-none-eabi qemu-system-arm)
+# Clang's library for WebAssembly comes in versions: the newest of Debian 12, and that of Ubuntu 24.04.
+llvm=$(grep -q '^ID=ubuntu' /etc/os-release 2>/dev/null && echo 18 || echo 19)
+cross=(g++-i686-linux-gnu g++-aarch64-linux-gnu qemu-user wasi-libc "clang-$llvm" "lld-$llvm"
+  "libc++-$llvm-dev-wasm32" "libc++abi-$llvm-dev-wasm32" "libclang-rt-$llvm-dev-wasm32")
+command -v node >/dev/null || cross+=(nodejs)
 case "${1:-tests}" in
   program) ;;
-  tests) packages+=(binutils ccache catch2 clang libbenchmark-dev libxml2-utils
-    gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib libnewlib-arm-none-eabi qemu-system-arm) ;;
+  tests) packages+=("${tests[@]}") ;;
+  cross) packages+=("${tests[@]}" "${cross[@]}") ;;
   *)
-    echo "install_packages.sh: '$1' is neither 'program' nor 'tests'" >&2
+    echo "install_packages.sh: '$1' is none of 'program', 'tests' and 'cross'" >&2
     exit 2
     ;;
 esac

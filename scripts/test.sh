@@ -7,8 +7,8 @@
 #                           behaviour sanitizers; clang with warnings as errors and the core's tests; the
 #                           core on emulated microcontrollers
 #   scripts/test.sh --fast  the release build with all tests alone
-#   scripts/test.sh --all   the ordinary run, then a debug build with GCC's warnings as errors and all
-#                           tests of clang's build
+#   scripts/test.sh --all   the ordinary run, the same bits on other processors (installs their compilers),
+#                           then a debug build with GCC's warnings as errors and all tests of clang's build
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 
@@ -28,7 +28,13 @@ for argument in "$@"; do
   esac
 done
 
-bash scripts/install_packages.sh tests || exit 1
+packages=tests
+without=(--label-exclude '^cross$')
+if [[ $extent == all ]]; then
+  packages=cross
+  without=()
+fi
+bash scripts/install_packages.sh "$packages" || exit 1
 
 jobs=$(nproc)
 launcher=()
@@ -74,7 +80,7 @@ stage() {
     "$tests" "$cases" "$((SECONDS - started))")")
 }
 
-stage release all
+stage release all "${without[@]}"
 if [[ $extent != fast ]]; then
   stage asan all --label-exclude install
 fi
