@@ -155,7 +155,7 @@ void Localizer::State::look(const std::optional<Pose2>& motion) {
 
 void Localizer::State::report() {
   result.pose = belief.pose;
-  result.covariance = belief.covariance.v;
+  result.covariance = pose_covariance(belief).v;
   result.has_pose = result.state == LocalizeState::tracking;
   MatchCounts& counts = result.match_counts;
   counts = {};
@@ -231,7 +231,7 @@ const LocalizeResult& Localizer::result() const noexcept {
 }
 
 void Localizer::start_at(const Pose2& pose, const std::array<double, 9>& covariance) {
-  state_->belief = {pose, {covariance}, {}};
+  state_->belief = belief_at(pose, {covariance}, state_->options.motion);
   state_->last_pose = pose;
   state_->last_motion = {};
   state_->doubts = 0;

@@ -22,7 +22,8 @@ bool within(std::uint32_t value, std::uint32_t least, std::uint32_t most) {
 bool sound(const MotionOptions& o) {
   return within(o.along_per_m, 0, 10) && within(o.along_per_rad, 0, 10) && within(o.along_m, 0, 10) &&
          within(o.turn_per_rad, 0, 10) && within(o.turn_per_m, 0, 10) && within(o.turn_rad, 0, pi) &&
-         within(o.unknown_m, 0, 10) && within(o.unknown_rad, 0, pi);
+         within(o.scale, 0, 1) && within(o.drift_per_m, 0, 1) && within(o.unknown_m, 0, 10) &&
+         within(o.unknown_rad, 0, pi);
 }
 
 bool sound(const MatchOptions& o) {

@@ -83,8 +83,7 @@ void PoseSearch::add_candidates(const SearchInput& input, SearchCounts& counts) 
     Hypothesis hypothesis;
     hypothesis.belief.pose = candidate.pose;
     for (int round = 0; round < polish_rounds; ++round) {
-      hypothesis.belief.covariance = first_covariance();
-      hypothesis.belief.with_lines.clear();
+      hypothesis.belief = belief_at(hypothesis.belief.pose, first_covariance(), options_.motion);
       follow(hypothesis, input);
     }
     hypothesis.scans = 1;
