@@ -83,8 +83,14 @@ void predict(PoseBelief& belief, const Pose2& motion, const MotionOptions& optio
   forget_faults(belief.covariance, way, options);
 }
 
-void predict_blindly(PoseBelief& belief, const Pose2& last_motion, const MotionOptions& options) {
-  move(belief, {last_motion, 0, options.unknown_m, options.unknown_rad});
+void predict_blindly(PoseBelief& belief, const Pose2& last_motion, double times,
+                     const MotionOptions& options) {
+  const double wider = std::max(1.0, times);
+  // A turn that goes on bends the way: half of the further turn, on average.
+  const double further_rad = (times - 1) * last_motion.heading_rad;
+  Pose2 motion = compose({0, 0, 0.5 * further_rad}, {times * last_motion.x_m, times * last_motion.y_m, 0});
+  motion.heading_rad = wrap_angle(times * last_motion.heading_rad);
+  move(belief, {motion, 0, wider * options.unknown_m, wider * options.unknown_rad});
 }
 
 }  // namespace straightedge::localize

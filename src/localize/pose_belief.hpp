@@ -38,7 +38,9 @@ Matrix3 pose_covariance(const PoseBelief& belief);
 /// Step 2 of localizer.hpp. `motion` in the frame of the pose before it.
 void predict(PoseBelief& belief, const Pose2& motion, const MotionOptions& options);
 
-/// Without odometry: the last motion again, with wide noise.
-void predict_blindly(PoseBelief& belief, const Pose2& last_motion, const MotionOptions& options);
+/// Without odometry: the last motion again, with wide noise. `times`: how many times as long as the last step
+/// this one took.
+void predict_blindly(PoseBelief& belief, const Pose2& last_motion, double times,
+                     const MotionOptions& options);
 
 }  // namespace straightedge::localize

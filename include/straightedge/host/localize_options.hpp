@@ -58,6 +58,9 @@ struct SearchOptions {
 struct LossOptions {
   double min_on_walls = 0.35;      ///< share of readings on walls below which a scan speaks against the pose
   double max_through_walls = 0.3;  ///< share behind walls above which a scan speaks against the pose
+  double usual_share = 0.6;        ///< so does a share on walls below this part of the usual one, [0, 1], if
+  double min_matched = 0.4;        ///< fewer of the lines than this find their wall, [0, 1], or half of
+                                   ///< max_through_walls is exceeded
   std::uint32_t scans = 5;         ///< that speak against it, net of those for it: lost, [1, 1000]
   double on_wall_m = 0.12;         ///< a reading so near a wall lies on it, (0, 1]
   double on_wall_roughness = 2.5;  ///< and so many roughnesses of the walls on top, [0, 10]
