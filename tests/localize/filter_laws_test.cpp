@@ -130,6 +130,34 @@ TEST_CASE("the odometry's faults are learnt") {
   CHECK(std::sqrt(tracker.belief().covariance(3, 3)) < 0.01);
 }
 
+TEST_CASE("prediction: the derivatives are those of small steps") {
+  const MotionOptions quiet{0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  const Pose2 motion{0.7, 0.2, 0.3};
+  PoseBelief at = belief_at({1, 2, 0.5}, {}, quiet);
+  at.scale = 0.05;
+  at.drift = -0.1;
+  PoseBelief there = at;
+  predict(there, motion, quiet);
+  const double step = 1e-6;
+  for (std::size_t i = 0; i < state_size; ++i) {
+    PoseBelief moved = at, uncertain = at;
+    double* const numbers[] = {&moved.pose.x_m, &moved.pose.y_m, &moved.pose.heading_rad, &moved.scale,
+                               &moved.drift};
+    *numbers[i] += step;
+    predict(moved, motion, quiet);
+    // One number alone is uncertain by 1: the column of the derivatives is seen in the covariance.
+    uncertain.covariance(i, i) = 1;
+    predict(uncertain, motion, quiet);
+    CAPTURE(i);
+    const double d[] = {(moved.pose.x_m - there.pose.x_m) / step, (moved.pose.y_m - there.pose.y_m) / step,
+                        (moved.pose.heading_rad - there.pose.heading_rad) / step};
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c < 3; ++c)
+        CHECK(uncertain.covariance(r, c) == Approx(d[r] * d[c]).margin(1e-4));
+    }
+  }
+}
+
 TEST_CASE("prediction: the covariance is that of many robots driving blindly") {
   MotionOptions options;
   options.scale = 0.04;

@@ -106,4 +106,9 @@ TEST_CASE("a second sight of a wall with errors brings less than the first") {
     correct(belief, pair, map);
     CHECK(across() > 0.05 * 0.05);
   }
+  // Where the robot is from that wall is known well, wherever the wall is: the gate is narrow.
+  LinePair pair = make_pair(belief.pose, line, 0, map, 0);
+  REQUIRE(judge_pair(pair, belief, map.walls()[0]));
+  CHECK(pair.s(1, 1) < 0.03 * 0.03);
+  CHECK(pair.s(0, 0) < 0.01 * 0.01);
 }
