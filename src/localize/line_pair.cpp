@@ -23,8 +23,8 @@ Matrix2 covariance_of(const Wall& wall) {
 Matrix2 sum_covariance(const LinePair& pair, const PoseBelief& belief, const Wall& wall) {
   const Matrix<2, state_size> h = by_state(pair, wall);
   Matrix2 s = h * belief.covariance * transposed(h) + own_covariance(pair, wall);
-  if (!belief.with_lines.empty()) {
-    const Matrix2 cross = h * belief.with_lines[wall.line] * transposed(by_wall(pair));
+  if (const StateWithLine* with = belief.with(wall.line)) {
+    const Matrix2 cross = h * *with * transposed(by_wall(pair));
     s += cross + transposed(cross);
   }
   return s;
@@ -83,11 +83,11 @@ void correct(PoseBelief& belief, const LinePair& pair, const WallMap& map) {
   const Wall& wall = map.walls()[pair.wall];
   Matrix2 inverse;
   if (!invert(pair.s, inverse)) return;
-  if (belief.with_lines.empty()) belief.with_lines.resize(map.lines());
   const Matrix<2, state_size> h = by_state(pair, wall);
   const Matrix2 j = by_wall(pair);
+  if (belief.with(wall.line) == nullptr) belief.considered.push_back({wall.line, {}});
   const StateWithLine with_errors =
-      belief.covariance * transposed(h) + belief.with_lines[wall.line] * transposed(j);
+      belief.covariance * transposed(h) + *belief.with(wall.line) * transposed(j);
   const StateWithLine gain = with_errors * inverse;
   const Matrix<2, 1> errors{{pair.angle, pair.offset}};
   const Matrix<state_size, 1> step = gain * errors;
@@ -98,10 +98,10 @@ void correct(PoseBelief& belief, const LinePair& pair, const WallMap& map) {
   belief.drift -= step.v[4];
   belief.covariance -= gain * transposed(with_errors);
   make_symmetric(belief.covariance);
-  for (std::uint32_t i = 0; i < belief.with_lines.size(); ++i) {
-    Matrix2 seen = h * belief.with_lines[i];
-    if (i == wall.line) seen += j * covariance_of(wall);
-    belief.with_lines[i] -= gain * seen;
+  for (ConsideredLine& considered : belief.considered) {
+    Matrix2 seen = h * considered.covariance;
+    if (considered.line == wall.line) seen += j * covariance_of(wall);
+    considered.covariance -= gain * seen;
   }
 }
 

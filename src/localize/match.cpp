@@ -90,6 +90,7 @@ double Matcher::match_and_correct(const WallMap& map, std::span<const ScanLine> 
     LinePair pair = make_pair(belief.pose, lines[i], i, map, chosen.wall);
     if (judge_pair(pair, belief, wall)) correct(belief, pair, map);
   }
+  forget_far_lines(belief, [&](std::uint32_t line) { return map.variances(line); });
   return pairs > 0 ? chi_squares / pairs : 0;
 }
 

@@ -44,11 +44,18 @@ void move(PoseBelief& belief, const Step& step) {
   const Matrix3 q{{way, 0, 0, 0, way, 0, 0, 0, step.turn_sigma * step.turn_sigma}};
   belief.covariance = f * belief.covariance * transposed(f) + g * q * transposed(g);
   make_symmetric(belief.covariance);
-  for (StateWithLine& line : belief.with_lines) line = f * line;
+  for (ConsideredLine& line : belief.considered) line.covariance = f * line.covariance;
   belief.pose = compose(belief.pose, step.motion);
 }
 
 }  // namespace
+
+const StateWithLine* PoseBelief::with(std::uint32_t line) const {
+  for (const ConsideredLine& c : considered) {
+    if (c.line == line) return &c.covariance;
+  }
+  return nullptr;
+}
 
 PoseBelief belief_at(const Pose2& pose, const Matrix3& covariance, const MotionOptions& options) {
   PoseBelief belief;

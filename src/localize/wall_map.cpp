@@ -100,10 +100,12 @@ const char* objection_to(const LineMap& map) noexcept {
 }
 
 WallMap::WallMap(const LineMap& map, const MatchOptions& options)
-    : lines_(static_cast<std::uint32_t>(map.lines.size())),
-      roughness_m_(options.wall_roughness_pixels * pixel_of(map)),
+    : roughness_m_(options.wall_roughness_pixels * pixel_of(map)),
       walls_(walls_of(map, options, pixel_of(map))),
-      grid_(walls_, reach_m) {}
+      variances_(map.lines.size()),
+      grid_(walls_, reach_m) {
+  for (const Wall& wall : walls_) variances_[wall.line] = {wall.var_theta, wall.var_offset};
+}
 
 double WallMap::distance(double x, double y, double limit) const {
   double best = limit * limit;

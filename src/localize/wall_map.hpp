@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "localize/wall.hpp"
@@ -26,7 +27,8 @@ class WallMap {
   WallMap(const LineMap& map, const MatchOptions& options);
 
   const std::vector<Wall>& walls() const { return walls_; }
-  std::uint32_t lines() const { return lines_; }
+  /// Of angle and offset of a line.
+  std::pair<double, double> variances(std::uint32_t line) const { return variances_[line]; }
   /// Errors of the walls' course, beside their covariance: a drawing's walls step by pixels.
   double roughness_m() const { return roughness_m_; }
 
@@ -40,9 +42,9 @@ class WallMap {
   std::optional<Crossing> first_crossing(double x, double y, double dx, double dy, double limit) const;
 
  private:
-  std::uint32_t lines_ = 0;
   double roughness_m_ = 0;
   std::vector<Wall> walls_;
+  std::vector<std::pair<double, double>> variances_;
   WallGrid grid_;
 };
 
