@@ -113,8 +113,9 @@ void find_pairs(const WallMap& map, const PoseBelief& belief, std::span<const Sc
       if (verdict == LineVerdict::matched) list.pairs.push_back(pair);
     }
     const auto begin = list.pairs.begin() + list.starts.back();
-    std::stable_sort(begin, list.pairs.end(),
-                     [](const LinePair& a, const LinePair& b) { return a.chi_square < b.chi_square; });
+    std::sort(begin, list.pairs.end(), [](const LinePair& a, const LinePair& b) {
+      return a.chi_square < b.chi_square || (a.chi_square == b.chi_square && a.wall < b.wall);
+    });
     if (list.pairs.size() > list.starts.back() + options.max_branches)
       list.pairs.resize(list.starts.back() + options.max_branches);
     list.starts.push_back(static_cast<std::uint32_t>(list.pairs.size()));

@@ -9,7 +9,8 @@ namespace straightedge::localize {
 namespace {
 
 constexpr std::size_t most_rivals = 32;
-constexpr double left_out = 2;  // beyond the gate: a pair that fits is better than none
+constexpr std::size_t most_branches = 16;  // the greatest value of the option
+constexpr double left_out = 2;             // beyond the gate: a pair that fits is better than none
 
 /// 99 % of chi-square with that many degrees of freedom (E. B. Wilson, M. M. Hilferty, 1931,
 /// doi:10.1073/pnas.17.12.684).
@@ -52,27 +53,50 @@ class Tree {
   struct Child {
     double chi_square = 0;
     std::uint32_t pair = 0;
-    Node node;
   };
 
-  bool judge(const Node& node, std::uint32_t index, Child& child) const {
+  /// What the pair would do to the node: its errors as they are left, and how much of them moves the pose.
+  struct Effect {
+    Matrix<2, 1> errors;
+    StateWithLine with_errors;
+    Matrix2 inverse;
+    double chi_square = 0;
+  };
+
+  bool effect_of(const Node& node, std::uint32_t index, Effect& effect) const {
     const LinePair& pair = list_.pairs[index];
     const Wall& wall = map_.walls()[pair.wall];
     const Matrix<2, state_size> h = by_state(pair, wall);
-    Matrix<2, 1> errors = h * node.moved;
-    errors.v[0] += pair.angle;
-    errors.v[1] += pair.offset;
-    const StateWithLine with_errors = node.covariance * transposed(h);
-    Matrix2 inverse;
-    if (!invert(h * with_errors + own_covariance(pair, wall), inverse)) return false;
-    child.chi_square = (transposed(errors) * (inverse * errors)).v[0];
-    if (!(child.chi_square <= options_.gate)) return false;
-    const StateWithLine gain = with_errors * inverse;
-    child.pair = index;
-    child.node = node;
-    child.node.moved -= gain * errors;
-    child.node.covariance -= gain * transposed(with_errors);
-    return true;
+    effect.errors = h * node.moved;
+    effect.errors.v[0] += pair.angle;
+    effect.errors.v[1] += pair.offset;
+    effect.with_errors = node.covariance * transposed(h);
+    if (!invert(h * effect.with_errors + own_covariance(pair, wall), effect.inverse)) return false;
+    effect.chi_square = (transposed(effect.errors) * (effect.inverse * effect.errors)).v[0];
+    return effect.chi_square <= options_.gate;
+  }
+
+  Node corrected(const Node& node, std::uint32_t index) const {
+    Effect effect;
+    Node next = node;
+    if (!effect_of(node, index, effect)) return next;
+    const StateWithLine gain = effect.with_errors * effect.inverse;
+    next.moved -= gain * effect.errors;
+    next.covariance -= gain * transposed(effect.with_errors);
+    return next;
+  }
+
+  /// The pairs of the line that fit what is above them, the likeliest first.
+  std::size_t children_of(const Node& node, std::uint32_t line, double room, Child* children) const {
+    std::size_t count = 0;
+    for (std::uint32_t i = list_.starts[line]; i < list_.starts[line + 1]; ++i) {
+      Effect effect;
+      if (effect_of(node, i, effect) && effect.chi_square <= room) children[count++] = {effect.chi_square, i};
+    }
+    std::sort(children, children + count, [](const Child& a, const Child& b) {
+      return a.chi_square < b.chi_square || (a.chi_square == b.chi_square && a.pair < b.pair);
+    });
+    return count;
   }
 
   void keep() {
@@ -94,20 +118,15 @@ class Tree {
     if (++nodes_ > options_.max_nodes && best_.cost < 1e300) return;
     if (depth == order_.size()) return keep();
     const std::uint32_t line = order_[depth];
-    Child children[16];
-    std::size_t count = 0;
-    for (std::uint32_t i = list_.starts[line]; i < list_.starts[line + 1]; ++i) {
-      if (!judge(node, i, children[count])) continue;
-      if (chi_squares + children[count].chi_square > chi_square_quantile(2 * (pairs + 1))) continue;
-      ++count;
-    }
-    std::stable_sort(children, children + count,
-                     [](const Child& a, const Child& b) { return a.chi_square < b.chi_square; });
+    Child children[most_branches];
+    const double room = chi_square_quantile(2 * (pairs + 1)) - chi_squares;
+    const std::size_t count = children_of(node, line, room, children);
     const double cost = current_.cost;
     for (std::size_t i = 0; i < count; ++i) {
       current_.pair[line] = children[i].pair;
       current_.cost = cost + children[i].chi_square;
-      visit(children[i].node, depth + 1, chi_squares + children[i].chi_square, pairs + 1);
+      if (current_.cost > best_.cost + options_.ambiguity) break;
+      visit(corrected(node, children[i].pair), depth + 1, chi_squares + children[i].chi_square, pairs + 1);
     }
     current_.pair[line] = no_pair;
     current_.cost = cost + options_.gate + left_out;
