@@ -40,6 +40,8 @@ struct MatchOptions {
   double ambiguity = 4;                 ///< chi-square by which a hypothesis must beat its rivals, >= 0
   double wall_angle_floor_rad = 0.003;  ///< error of a map line, on top of its covariance, [0, 0.1]
   double wall_offset_floor_m = 0.01;    ///< the same of its offset, [0, 1]
+  double wall_roughness_pixels = 0.35;  ///< how far a wall's course leaves its line, of the map's image,
+                                        ///< [0, 10]; a map without image is smooth
 };
 
 struct SearchOptions {
@@ -55,6 +57,8 @@ struct LossOptions {
   double min_on_walls = 0.35;      ///< share of readings on walls below which a scan speaks against the pose
   double max_through_walls = 0.3;  ///< share behind walls above which a scan speaks against the pose
   std::uint32_t scans = 5;         ///< that speak against it, net of those for it: lost, [1, 1000]
+  double on_wall_m = 0.12;         ///< a reading so near a wall lies on it, (0, 1]
+  double on_wall_roughness = 2.5;  ///< and so many roughnesses of the walls on top, [0, 10]
   double max_sigma_m = 2.5;        ///< a pose vaguer than this is lost too, (0, 1e4]
 };
 

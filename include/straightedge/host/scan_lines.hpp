@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "straightedge/host/laser_scan.hpp"
@@ -29,6 +29,8 @@ struct ScanLineOptions {
   double offset_floor_m = 0.01;      ///< the same for the offset, [0, 1]
   std::uint64_t seed = 1;            ///< RANSAC and Hough
 };
+
+bool valid(const ScanLineOptions& options) noexcept;
 
 /// A straight piece of a scan, in the robot's frame. The line passes through the centroid at right angles to
 /// the normal, which points to the laser: the open floor is on its side. About the centroid, errors of angle
@@ -97,6 +99,12 @@ class ScanLineFinder {
   /// bad_option: a number out of its range.
   static Result<ScanLineFinder> create(const ScanLineOptions& options = {});
 
+  ScanLineFinder(ScanLineFinder&&) noexcept;
+  ScanLineFinder& operator=(ScanLineFinder&&) noexcept;
+  ScanLineFinder(const ScanLineFinder&);
+  ScanLineFinder& operator=(const ScanLineFinder&);
+  ~ScanLineFinder();
+
   /// False: the scan cannot be used. The lists below are of the last run.
   bool run(const LaserScan& scan);
 
@@ -105,13 +113,14 @@ class ScanLineFinder {
   const ScanLineCounts& counts() const noexcept { return counts_; }
 
  private:
-  explicit ScanLineFinder(const ScanLineOptions& options) : options_(options) {}
+  struct Memory;
+  explicit ScanLineFinder(const ScanLineOptions& options);
 
   ScanLineOptions options_;
   std::vector<ScanPoint> points_;
   std::vector<ScanLine> lines_;
   ScanLineCounts counts_;
-  std::vector<std::size_t> pieces_;  // scratch
+  std::unique_ptr<Memory> memory_;  // scratch
 };
 
 }  // namespace straightedge

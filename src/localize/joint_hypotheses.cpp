@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "localize/match.hpp"
+
+namespace straightedge::localize {
+namespace {
+
+constexpr std::size_t most_rivals = 32;
+constexpr double left_out = 2;  // beyond the gate: a pair that fits is better than none
+
+/// 99 % of chi-square with that many degrees of freedom (E. B. Wilson, M. M. Hilferty, 1931,
+/// doi:10.1073/pnas.17.12.684).
+double chi_square_quantile(double freedom) {
+  const double part = 2 / (9 * freedom);
+  const double root = 1 - part + 2.3263 * std::sqrt(part);
+  return freedom * root * root * root;
+}
+
+/// What is left uncertain under a set of pairs: how far the pose has moved, and its covariance.
+struct Node {
+  Matrix<3, 1> moved;
+  Matrix3 covariance;
+};
+
+class Tree {
+ public:
+  Tree(const WallMap& map, const PairList& list, const MatchOptions& options, Assignment& best,
+       std::vector<Assignment>& rivals)
+      : map_(map), list_(list), options_(options), best_(best), rivals_(rivals) {
+    for (std::uint32_t i = 0; i + 1 < list.starts.size(); ++i) {
+      if (list.starts[i] < list.starts[i + 1]) order_.push_back(i);
+    }
+    // The surest lines first: what they leave uncertain decides the others.
+    std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return list.pairs[list.starts[a]].var_theta < list.pairs[list.starts[b]].var_theta;
+    });
+    current_.pair.assign(list.starts.size() - 1, no_pair);
+    best_ = current_;
+    best_.cost = 1e300;
+    rivals_.clear();
+  }
+
+  void search(const PoseBelief& belief) {
+    visit({{}, belief.covariance}, 0, 0, 0);
+    std::erase_if(rivals_, [&](const Assignment& a) { return !(a.cost <= best_.cost + options_.ambiguity); });
+  }
+
+ private:
+  struct Child {
+    double chi_square = 0;
+    std::uint32_t pair = 0;
+    Node node;
+  };
+
+  bool judge(const Node& node, std::uint32_t index, Child& child) const {
+    const LinePair& pair = list_.pairs[index];
+    const Wall& wall = map_.walls()[pair.wall];
+    const Matrix<2, 3> h = by_pose(pair, wall);
+    Matrix<2, 1> errors = h * node.moved;
+    errors.v[0] += pair.angle;
+    errors.v[1] += pair.offset;
+    const Matrix<3, 2> with_errors = node.covariance * transposed(h);
+    Matrix2 inverse;
+    if (!invert(h * with_errors + own_covariance(pair, wall), inverse)) return false;
+    child.chi_square = (transposed(errors) * (inverse * errors)).v[0];
+    if (!(child.chi_square <= options_.gate)) return false;
+    const Matrix<3, 2> gain = with_errors * inverse;
+    child.pair = index;
+    child.node = node;
+    child.node.moved -= gain * errors;
+    child.node.covariance -= gain * transposed(with_errors);
+    return true;
+  }
+
+  void keep() {
+    if (current_.cost < best_.cost) {
+      if (best_.cost < 1e300) rivals_.push_back(best_);
+      best_ = current_;
+    } else {
+      rivals_.push_back(current_);
+    }
+    if (rivals_.size() <= most_rivals) return;
+    const auto worst =
+        std::max_element(rivals_.begin(), rivals_.end(),
+                         [](const Assignment& a, const Assignment& b) { return a.cost < b.cost; });
+    rivals_.erase(worst);
+  }
+
+  void visit(const Node& node, std::size_t depth, double chi_squares, int pairs) {
+    if (current_.cost > best_.cost + options_.ambiguity) return;
+    if (++nodes_ > options_.max_nodes && best_.cost < 1e300) return;
+    if (depth == order_.size()) return keep();
+    const std::uint32_t line = order_[depth];
+    Child children[16];
+    std::size_t count = 0;
+    for (std::uint32_t i = list_.starts[line]; i < list_.starts[line + 1]; ++i) {
+      if (!judge(node, i, children[count])) continue;
+      if (chi_squares + children[count].chi_square > chi_square_quantile(2 * (pairs + 1))) continue;
+      ++count;
+    }
+    std::stable_sort(children, children + count,
+                     [](const Child& a, const Child& b) { return a.chi_square < b.chi_square; });
+    const double cost = current_.cost;
+    for (std::size_t i = 0; i < count; ++i) {
+      current_.pair[line] = children[i].pair;
+      current_.cost = cost + children[i].chi_square;
+      visit(children[i].node, depth + 1, chi_squares + children[i].chi_square, pairs + 1);
+    }
+    current_.pair[line] = no_pair;
+    current_.cost = cost + options_.gate + left_out;
+    visit(node, depth + 1, chi_squares, pairs);
+    current_.cost = cost;
+  }
+
+  const WallMap& map_;
+  const PairList& list_;
+  const MatchOptions& options_;
+  Assignment& best_;
+  std::vector<Assignment>& rivals_;
+  Assignment current_;
+  std::vector<std::uint32_t> order_;
+  std::uint32_t nodes_ = 0;
+};
+
+}  // namespace
+
+void joint_hypotheses(const WallMap& map, const PoseBelief& belief, const PairList& list,
+                      const MatchOptions& options, Assignment& best, std::vector<Assignment>& rivals) {
+  Tree(map, list, options, best, rivals).search(belief);
+}
+
+}  // namespace straightedge::localize
