@@ -17,7 +17,8 @@ constexpr double most_m = 1e6;
 constexpr double most_degrees = 36000;
 
 /// As many numbers as wanted, with blanks or commas between them.
-std::vector<double> numbers_of(const std::string& name, std::string text, std::size_t wanted, const char* form) {
+std::vector<double> numbers_of(const std::string& name, std::string text, std::size_t wanted,
+                               const char* form) {
   std::replace(text.begin(), text.end(), ',', ' ');
   std::vector<double> numbers;
   bool good = true;
@@ -44,7 +45,8 @@ CLI::Option* add_pose(CLI::App& command, const std::string& name, std::optional<
 }
 
 std::string pose_words(const Pose2& pose) {
-  return io::to_text(pose.x_m) + " " + io::to_text(pose.y_m) + " " + io::to_short_text(pose.heading_rad / degree);
+  return io::to_text(pose.x_m) + " " + io::to_text(pose.y_m) + " " +
+         io::to_short_text(pose.heading_rad / degree);
 }
 
 const char* name_of(ScanLineMethod method) {
@@ -69,25 +71,30 @@ void LocalizeArguments::add_files(CLI::App& command) {
   command.add_option("MAP.xml", map, "the line map, in metres or with its resolution; - is standard input")
       ->required();
   command
-      .add_option("SCANS", scans,
-                  "the laser's log: ODOM and SCAN records, or CARMEN's ODOM and FLASER; may be packed by gzip; "
-                  "- is standard input")
+      .add_option(
+          "SCANS", scans,
+          "the laser's log: ODOM and SCAN records, or CARMEN's ODOM and FLASER; may be packed by gzip; "
+          "- is standard input")
       ->required();
   command
-      .add_option("-o,--output", trajectory,
-                  "where the poses go, a line \"t x y 0 0 0 qz qw\" (TUM) for each scan with a pose; none while "
-                  "the robot searches or is lost; - is standard output")
+      .add_option(
+          "-o,--output", trajectory,
+          "where the poses go, a line \"t x y 0 0 0 qz qw\" (TUM) for each scan with a pose; none while "
+          "the robot searches or is lost; - is standard output")
       ->type_name("TRAJECTORY.txt")
       ->required();
   command.add_option("--covariance", covariance, "a line \"t xx xy xh yy yh hh\" for each of these poses")
       ->type_name("FILE");
-  command.add_option("--svg", svg, "the map, the robot's way, and the scans laid on the walls")->type_name("OUT.svg");
+  command.add_option("--svg", svg, "the map, the robot's way, and the scans laid on the walls")
+      ->type_name("OUT.svg");
   command
-      .add_option("--truth", truth,
-                  "where the robot really was, lines \"t x y theta\" or TUM's; the errors are told, nothing else "
-                  "changes")
+      .add_option(
+          "--truth", truth,
+          "where the robot really was, lines \"t x y theta\" or TUM's; the errors are told, nothing else "
+          "changes")
       ->type_name("FILE");
-  command.add_option("--explain", explain, "every step of one scan as a picture, with a page")->type_name("DIR");
+  command.add_option("--explain", explain, "every step of one scan as a picture, with a page")
+      ->type_name("DIR");
   explain_scan_option_ =
       add_whole(command, "--explain-scan", explain_scan, {0, 1000000000}, "N",
                 "which scan that is, the first is 1; 0: the first that matched lines of the map");
@@ -99,7 +106,8 @@ void LocalizeArguments::add_robot(CLI::App& command) {
   const auto read_sigma = [this](const std::string& text) {
     const std::vector<double> v = numbers_of("--start-sigma", text, 2, "\"METRES DEGREES\"");
     if (!(v[0] > 0 && v[0] <= 100 && v[1] > 0 && v[1] <= 180))
-      throw CLI::ValidationError("--start-sigma", "\"" + text + "\" is not above 0 and at most 100 m and 180 degrees");
+      throw CLI::ValidationError("--start-sigma",
+                                 "\"" + text + "\" is not above 0 and at most 100 m and 180 degrees");
     start_sigma_ = {v[0], v[0], v[1] * degree};
   };
   start_sigma_option_ = command
@@ -108,17 +116,20 @@ void LocalizeArguments::add_robot(CLI::App& command) {
                             ->type_name("\"METRES DEGREES\"")
                             ->default_str("0.2 " + io::to_short_text(0.1 / degree));
   add_pose(command, "--laser", laser_, "where the laser sits in the robot, in place of the log's");
-  add_choice(command, "--odometry", odometry_,
-             {{"odom", OdometrySource::records}, {"flaser", OdometrySource::flaser}, {"none", OdometrySource::none}},
-             "which poses of the log are odometry: its ODOM records, the laser's poses in CARMEN's FLASER (of raw "
-             "logs; corrected ones hold a mapping program's there), or none");
+  add_choice(
+      command, "--odometry", odometry_,
+      {{"odom", OdometrySource::records}, {"flaser", OdometrySource::flaser}, {"none", OdometrySource::none}},
+      "which poses of the log are odometry: its ODOM records, the laser's poses in CARMEN's FLASER (of raw "
+      "logs; corrected ones hold a mapping program's there), or none");
   add_real(command, "--max-range", max_range_m_, {0, 1e6}, "METRES",
            "readings from here on are none; 0 is the log's own, 80 for CARMEN's");
 }
 
 void LocalizeArguments::add_matching(CLI::App& command) {
   add_choice(command, "--lines", options_.lines.method,
-             {{"split", ScanLineMethod::split_and_merge}, {"ransac", ScanLineMethod::ransac}, {"hough", ScanLineMethod::hough}},
+             {{"split", ScanLineMethod::split_and_merge},
+              {"ransac", ScanLineMethod::ransac},
+              {"hough", ScanLineMethod::hough}},
              "how the lines of a scan are found: split and merge, RANSAC or the Hough transform");
   add_real(command, "--noise", options_.lines.range_sigma_m, {0, 1}, "METRES",
            "standard deviation of a range, above 0");

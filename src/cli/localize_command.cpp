@@ -43,8 +43,8 @@ Result<std::vector<TimedPose2>> read_truth(const LocalizeArguments& arguments) {
   return read_planar_trajectory(arguments.truth);
 }
 
-LocalizeStory tell(const LocalizeArguments& arguments, const LineMap& map, const LaserLog& log, const LocalizeRun& run,
-                   std::vector<TimedPose2> truth) {
+LocalizeStory tell(const LocalizeArguments& arguments, const LineMap& map, const LaserLog& log,
+                   const LocalizeRun& run, std::vector<TimedPose2> truth) {
   LocalizeStory story{arguments, map, log, run, std::move(truth), odometry_alone(run, log), {}, {}};
   if (arguments.truth.empty()) return story;
   story.errors = compare_poses(run.poses, story.truth, true);
@@ -83,8 +83,9 @@ Command add_localize_command(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "localize", "Where a robot is in a line map, by the lines that its laser scanner sees");
   arguments->add_to(command);
-  add_common_options(command, arguments->common,
-                     "poses, where it was found and lost, matched and refused lines, and with --truth the errors");
+  add_common_options(
+      command, arguments->common,
+      "poses, where it was found and lost, matched and refused lines, and with --truth the errors");
   return {&command, [arguments] { return run(*arguments); }};
 }
 

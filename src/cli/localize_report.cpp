@@ -22,10 +22,12 @@ struct NamedCount {
   const char* name;
   std::uint32_t MatchCounts::*count;
 };
-constexpr NamedCount refusals[] = {
-    {"no wall", "no_wall", &MatchCounts::no_wall},       {"wrong side", "wrong_side", &MatchCounts::wrong_side},
-    {"no overlap", "no_overlap", &MatchCounts::no_overlap}, {"gate", "gate", &MatchCounts::gate},
-    {"not joint", "not_joint", &MatchCounts::not_joint}, {"ambiguous", "ambiguous", &MatchCounts::ambiguous}};
+constexpr NamedCount refusals[] = {{"no wall", "no_wall", &MatchCounts::no_wall},
+                                   {"wrong side", "wrong_side", &MatchCounts::wrong_side},
+                                   {"no overlap", "no_overlap", &MatchCounts::no_overlap},
+                                   {"gate", "gate", &MatchCounts::gate},
+                                   {"not joint", "not_joint", &MatchCounts::not_joint},
+                                   {"ambiguous", "ambiguous", &MatchCounts::ambiguous}};
 
 std::string count(std::uint64_t number, const std::string& what) {
   return io::to_text(number) + " " + what + (number == 1 ? "" : "s");
@@ -48,23 +50,28 @@ double seconds_between(const LaserLog& log, std::size_t from, std::size_t to) {
 std::string log_words(const LocalizeStory& story) {
   const LaserLog& log = story.log;
   const std::size_t scans = log.scans.size();
-  std::string words = count(scans, "scan") + " of " + io::to_text(share(static_cast<double>(story.run.beams), scans), 0) +
-                      " beams, " + io::to_text(seconds_between(log, 0, scans - 1), 1) + " s, " +
-                      (story.run.with_odometry == 0 ? "no" : io::to_text(story.run.with_odometry)) + " with odometry";
-  if (log.late_scans > 0) words += "; left out: " + count(log.late_scans, "scan") + " older than the one before";
-  if (story.run.without_reading > 0) words += "; " + count(story.run.without_reading, "scan") + " without a reading";
+  std::string words =
+      count(scans, "scan") + " of " + io::to_text(share(static_cast<double>(story.run.beams), scans), 0) +
+      " beams, " + io::to_text(seconds_between(log, 0, scans - 1), 1) + " s, " +
+      (story.run.with_odometry == 0 ? "no" : io::to_text(story.run.with_odometry)) + " with odometry";
+  if (log.late_scans > 0)
+    words += "; left out: " + count(log.late_scans, "scan") + " older than the one before";
+  if (story.run.without_reading > 0)
+    words += "; " + count(story.run.without_reading, "scan") + " without a reading";
   return words;
 }
 
 std::string line_words(const LocalizeStory& story) {
   const LocalizeRun& run = story.run;
   const std::size_t scans = run.poses.size();
-  std::string words = io::to_text(share(static_cast<double>(run.lines), story.log.scans.size()), 1) + " a scan; with a pose " +
-                      io::to_text(share(run.matches.matched, scans), 1) + " matched";
+  std::string words = io::to_text(share(static_cast<double>(run.lines), story.log.scans.size()), 1) +
+                      " a scan; with a pose " + io::to_text(share(run.matches.matched, scans), 1) +
+                      " matched";
   std::string refused;
   for (const NamedCount& refusal : refusals) {
     if (run.matches.*refusal.count == 0) continue;
-    refused += (refused.empty() ? "" : ", ") + io::to_text(share(run.matches.*refusal.count, scans), 2) + " " + refusal.words;
+    refused += (refused.empty() ? "" : ", ") + io::to_text(share(run.matches.*refusal.count, scans), 2) +
+               " " + refusal.words;
   }
   return refused.empty() ? words : words + ", refused: " + refused;
 }
@@ -76,7 +83,8 @@ std::string event_words(const LocalizeStory& story) {
   for (std::size_t i = 0; i < std::min(events.size(), most_events); ++i) {
     words += i == 0 ? "" : events[i].found ? ", found again" : ", lost";
     words += (i == 0 ? "at scan " : " at scan ") + io::to_text(events[i].scan + 1);
-    if (i == 0 && events[0].scan > 0) words += ", after " + io::to_text(seconds_between(story.log, 0, events[0].scan), 1) + " s";
+    if (i == 0 && events[0].scan > 0)
+      words += ", after " + io::to_text(seconds_between(story.log, 0, events[0].scan), 1) + " s";
   }
   if (events.size() > most_events) words += " ... lost " + count(story.run.lost_times, "time") + " in all";
   return story.run.lost_times == 0 ? words + ", never lost" : words;
@@ -85,7 +93,8 @@ std::string event_words(const LocalizeStory& story) {
 std::string error_words(const PoseErrors& errors, bool all) {
   std::string words = "position rms " + io::to_text(errors.rms_m, 3) + " m";
   if (all) words += ", median " + io::to_text(errors.median_m, 3);
-  words += ", worst " + io::to_text(errors.worst_m, 3) + "; heading rms " + io::to_text(errors.rms_rad / degree, 2) + " degrees";
+  words += ", worst " + io::to_text(errors.worst_m, 3) + "; heading rms " +
+           io::to_text(errors.rms_rad / degree, 2) + " degrees";
   if (all) words += ", worst " + io::to_text(errors.worst_rad / degree, 2);
   if (all && errors.nees) words += "; NEES " + io::to_text(*errors.nees, 2) + " (3 is ideal)";
   if (errors.without_truth > 0) words += "; " + count(errors.without_truth, "pose") + " without a truth";
@@ -95,7 +104,8 @@ std::string error_words(const PoseErrors& errors, bool all) {
 std::string time_words(const LocalizeRun& run) {
   std::vector<double> sorted = run.milliseconds;
   std::sort(sorted.begin(), sorted.end());
-  return io::to_text(sorted[sorted.size() / 2], 3) + " ms a scan (median), at most " + io::to_text(sorted.back(), 3) + " ms";
+  return io::to_text(sorted[sorted.size() / 2], 3) + " ms a scan (median), at most " +
+         io::to_text(sorted.back(), 3) + " ms";
 }
 
 Json json_of(const PoseErrors& errors) {
@@ -120,7 +130,9 @@ Json json_of(const MatchCounts& matches) {
 
 std::string words_of(const LocalizeStory& story, const std::string& written) {
   std::string words = story.arguments.scans + " in " + story.arguments.map;
-  const auto line = [&](const char* what, const std::string& text) { words.append("\n  ").append(what).append(text); };
+  const auto line = [&](const char* what, const std::string& text) {
+    words.append("\n  ").append(what).append(text);
+  };
   line("map       ", count(story.map.lines.size(), "line") + ", " + count(segments_of(story.map), "segment"));
   line("log       ", log_words(story));
   line("lines     ", line_words(story));

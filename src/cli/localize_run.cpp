@@ -76,9 +76,13 @@ class Follower {
 
   void explain(std::size_t scan, const LocalizeResult& result) {
     const std::size_t number = *options_.explain_scan;
-    const bool this_one = number == 0 ? result.has_pose && result.match_counts.matched > 0 : scan + 1 == number;
-    if (!this_one && (result.has_pose || run_.explained.size() >= most_search_scans)) return;
-    if (result.has_pose && !this_one) return;
+    const bool this_one =
+        number == 0 ? result.has_pose && result.match_counts.matched > 0 : scan + 1 == number;
+    if (!this_one && had_pose_) {
+      run_.explained.clear();  // an earlier search
+      return;
+    }
+    if (!this_one && run_.explained.size() == most_search_scans) run_.explained.pop_back();
     run_.explained.push_back({scan, result, expected_at(scan)});
     wanted_ = !this_one;
   }
@@ -107,7 +111,8 @@ std::vector<Point2> points_of(const LaserScan& scan, const Pose2& world_from_rob
   points.reserve(scan.ranges_m.size());
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
     const double range = static_cast<double>(scan.ranges_m[i]);
-    if (!(range > 0) || !std::isfinite(range) || (scan.max_range_m > 0 && range >= scan.max_range_m)) continue;
+    if (!(range > 0) || !std::isfinite(range) || (scan.max_range_m > 0 && range >= scan.max_range_m))
+      continue;
     const double angle =
         world_from_laser.heading_rad + scan.first_angle_rad + static_cast<double>(i) * scan.angle_step_rad;
     const SineCosine turn = sine_cosine(angle);

@@ -57,12 +57,13 @@ std::optional<Pose2> truth_at(std::span<const TimedPose2> truth, double time_s) 
   const double gap = after->time_s - a.time_s;
   if (!(gap < widest_gap_s)) return {};
   const double part = (time_s - a.time_s) / gap;
-  return Pose2{a.pose.x_m + part * (after->pose.x_m - a.pose.x_m),
-               a.pose.y_m + part * (after->pose.y_m - a.pose.y_m),
-               wrap_angle(a.pose.heading_rad + part * wrap_angle(after->pose.heading_rad - a.pose.heading_rad))};
+  return Pose2{
+      a.pose.x_m + part * (after->pose.x_m - a.pose.x_m), a.pose.y_m + part * (after->pose.y_m - a.pose.y_m),
+      wrap_angle(a.pose.heading_rad + part * wrap_angle(after->pose.heading_rad - a.pose.heading_rad))};
 }
 
-PoseErrors compare_poses(std::span<const TimedPose2> poses, std::span<const TimedPose2> truth, bool covariances) {
+PoseErrors compare_poses(std::span<const TimedPose2> poses, std::span<const TimedPose2> truth,
+                         bool covariances) {
   PoseErrors errors;
   std::vector<double> metres, radians;
   double nees = 0;

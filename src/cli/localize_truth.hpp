@@ -27,7 +27,8 @@ struct PoseErrors {
 std::optional<Pose2> truth_at(std::span<const TimedPose2> truth, double time_s);
 
 /// With `covariances` false: no NEES.
-PoseErrors compare_poses(std::span<const TimedPose2> poses, std::span<const TimedPose2> truth, bool covariances);
+PoseErrors compare_poses(std::span<const TimedPose2> poses, std::span<const TimedPose2> truth,
+                         bool covariances);
 
 /// Where the odometry alone would have led from the first pose that was found, at every scan that has one.
 std::vector<TimedPose2> odometry_alone(const LocalizeRun& run, const LaserLog& log);

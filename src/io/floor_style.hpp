@@ -44,8 +44,9 @@ inline constexpr std::array<FloorWord<FloorLine>, 3> line_words = {
     {{FloorLine::seen, "seen", "line of the scan"},
      {FloorLine::matched, "matched", "matched line, wall's id"},
      {FloorLine::refused, "refused", "refused line"}}};
-inline constexpr std::array<FloorWord<FloorRobot>, 6> robot_words = {
-    {{FloorRobot::start, "start", "first pose"},
+inline constexpr std::array<FloorWord<FloorRobot>, 7> robot_words = {
+    {{FloorRobot::robot, "pose", "the robot"},
+     {FloorRobot::start, "start", "first pose"},
      {FloorRobot::end, "end", "last pose"},
      {FloorRobot::pose, "pose", "pose, 3 sigma"},
      {FloorRobot::expected, "expected", "expected by odometry"},

@@ -32,7 +32,7 @@ struct FloorSegment {
 };
 
 /// A robot's place, as an arrow head that points along its heading.
-enum class FloorRobot : std::uint8_t { start, end, pose, expected, candidate, lost };
+enum class FloorRobot : std::uint8_t { robot, start, end, pose, expected, candidate, lost };
 
 struct FloorMark {
   FloorRobot kind = FloorRobot::pose;
