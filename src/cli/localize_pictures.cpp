@@ -38,7 +38,11 @@ FloorDrawing scan_drawing(const LocalizeStory& story, const ExplainedScan& scan,
   drawing.title = "Scan " + io::to_text(scan.scan + 1) + ": " + title;
   drawing.description = version_text() + " localize: " + story.arguments.words();
   drawing.readings = points_of(story.log.scans[scan.scan].scan, from);
-  drawing.whole_map = false;
+  drawing.view.push_back({from.x_m, from.y_m});
+  for (const ScanLine& line : scan.result.lines) {
+    drawing.view.push_back(moved(from, line.x0_m, line.y0_m));
+    drawing.view.push_back(moved(from, line.x1_m, line.y1_m));
+  }
   return drawing;
 }
 
@@ -91,7 +95,7 @@ FloorDrawing lines_drawing(const LocalizeStory& story, const ExplainedScan& scan
 
 FloorDrawing matches_drawing(const LocalizeStory& story, const ExplainedScan& scan) {
   const Pose2 from = scan.expected.value_or(scan.result.pose);
-  FloorDrawing drawing = scan_drawing(story, scan, "from where odometry expects the robot", from);
+  FloorDrawing drawing = scan_drawing(story, scan, "from where the robot is expected", from);
   add_matches(drawing, scan.result, from);
   drawing.marks.push_back({FloorRobot::expected, from, {}});
   return drawing;
@@ -109,7 +113,7 @@ FloorDrawing search_drawing(const LocalizeStory& story, const ExplainedScan& sca
   const bool found = scan.result.has_pose;
   FloorDrawing drawing =
       scan_drawing(story, scan, found ? "a pose stands" : "the likeliest place so far", scan.result.pose);
-  drawing.whole_map = true;
+  drawing.view.clear();
   drawing.marks.push_back({found ? FloorRobot::pose : FloorRobot::candidate, scan.result.pose, {}});
   return drawing;
 }

@@ -83,6 +83,7 @@ std::string event_words(const LocalizeStory& story) {
   for (std::size_t i = 0; i < std::min(events.size(), most_events); ++i) {
     words += i == 0 ? "" : events[i].found ? ", found again" : ", lost";
     words += (i == 0 ? "at scan " : " at scan ") + io::to_text(events[i].scan + 1);
+    if (i == 0 && events[0].scan == 0 && story.arguments.options().start) words += ", as given";
     if (i == 0 && events[0].scan > 0)
       words += ", after " + io::to_text(seconds_between(story.log, 0, events[0].scan), 1) + " s";
   }

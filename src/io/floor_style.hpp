@@ -16,7 +16,8 @@ namespace straightedge::io {
 inline constexpr const char* floor_style =
     "path{fill:none;stroke-linecap:round;stroke-linejoin:round}.wall{stroke:#8d8d8d;stroke-width:3;stroke-"
     "linecap:butt}"
-    ".bold{stroke:#222;stroke-width:3.5;stroke-linecap:butt}.reading{stroke:#0b5fc4;stroke-width:1.5}"
+    ".bold{stroke:#222;stroke-width:3.5;stroke-linecap:butt}.reading{stroke:#0b5fc4;stroke-width:1.5}.few{"
+    "stroke:#0b5fc4;stroke-width:3}"
     ".way{stroke:#d62828;stroke-width:1.8}.truth{stroke:#1f8a3b;stroke-width:4;opacity:.45}"
     ".odometry{stroke:#b26a00;stroke-width:1.2;stroke-dasharray:6 4}"
     ".seen{stroke:#7b2cbf;stroke-width:3}.matched{stroke:#1f8a3b;stroke-width:3}.refused{stroke:#e0531f;"
@@ -26,7 +27,9 @@ inline constexpr const char* floor_style =
     ".pose{fill:#d62828;stroke:#fff;stroke-width:1}.expected{fill:#fff;stroke:#222;stroke-width:1.4}"
     ".candidate{fill:#f3c300;stroke:#222;stroke-width:1}.lost{fill:#ff00c8;stroke:#222;stroke-width:1}"
     ".scale{stroke:#222;stroke-width:1.4}text{font:12px sans-serif;fill:#222}.title{font-size:15px}"
-    ".label,.wall-id{text-anchor:middle;stroke:#fff;stroke-width:3;paint-order:stroke}";
+    ".wall-id,.on-seen,.on-matched,.on-refused{text-anchor:middle;stroke:#fff;stroke-width:3;paint-order:"
+    "stroke}"
+    ".wall-id{font-weight:bold}.on-seen{fill:#7b2cbf}.on-matched{fill:#1f8a3b}.on-refused{fill:#e0531f}";
 
 /// A kind, its class in the style sheet and its entry in the legend.
 template <class Kind>
@@ -42,14 +45,14 @@ inline constexpr std::array<FloorWord<FloorPath>, 3> path_words = {
      {FloorPath::odometry, "odometry", "odometry alone"}}};
 inline constexpr std::array<FloorWord<FloorLine>, 3> line_words = {
     {{FloorLine::seen, "seen", "line of the scan"},
-     {FloorLine::matched, "matched", "matched line, wall's id"},
+     {FloorLine::matched, "matched", "matched line"},
      {FloorLine::refused, "refused", "refused line"}}};
 inline constexpr std::array<FloorWord<FloorRobot>, 7> robot_words = {
     {{FloorRobot::robot, "pose", "the robot"},
      {FloorRobot::start, "start", "first pose"},
      {FloorRobot::end, "end", "last pose"},
      {FloorRobot::pose, "pose", "pose, 3 sigma"},
-     {FloorRobot::expected, "expected", "expected by odometry"},
+     {FloorRobot::expected, "expected", "expected here"},
      {FloorRobot::candidate, "candidate", "candidate"},
      {FloorRobot::lost, "lost", "lost here"}}};
 
@@ -65,6 +68,11 @@ constexpr const char* class_of(FloorPath kind) {
 }
 constexpr const char* class_of(FloorLine kind) {
   return style_among(line_words, kind);
+}
+/// Of a text beside such a line.
+constexpr const char* label_class_of(FloorLine kind) {
+  if (kind == FloorLine::matched) return "on-matched";
+  return kind == FloorLine::refused ? "on-refused" : "on-seen";
 }
 constexpr const char* class_of(FloorRobot kind) {
   return style_among(robot_words, kind);

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "io/floor_legend.hpp"
 #include "io/floor_style.hpp"
 #include "io/number_text.hpp"
 #include "io/svg_canvas.hpp"
@@ -19,7 +20,7 @@ namespace straightedge {
 namespace {
 
 constexpr double wanted_size = 1000;
-constexpr double head_height = 30, foot_height = 62;
+constexpr double head_height = 30, legend_top = 44, foot_margin = 18;
 constexpr double arrow = 9;  ///< half of an arrow head's length
 constexpr double around_m = 1.5;
 
@@ -32,28 +33,26 @@ io::SvgCanvas canvas_for(const LineMap& map, const FloorDrawing& drawing) {
   const auto include = [&](Point2 p) {
     if (usable_point(p)) bounds.include(p);
   };
-  if (drawing.whole_map) {
-    for (const MapLine& line : map.lines) {
-      for (const MapSegment& segment : line.segments)
-        include(first_end(segment)), include(second_end(segment));
-    }
+  for (const Point2 p : drawing.view) {
+    include({p.x - around_m, p.y - around_m});
+    include({p.x + around_m, p.y + around_m});
   }
-  if (!drawing.whole_map || bounds.empty()) {
-    const double side = drawing.whole_map ? 0 : around_m;
-    for (const FloorMark& mark : drawing.marks) {
-      include({mark.pose.x_m - side, mark.pose.y_m - side});
-      include({mark.pose.x_m + side, mark.pose.y_m + side});
-    }
-    for (const Point2 p : drawing.readings) include(p);
-    for (const FloorSegment& segment : drawing.segments) include(segment.from), include(segment.to);
+  if (!bounds.empty()) return io::canvas_of_bounds(bounds, wanted_size);
+  for (const MapLine& line : map.lines) {
+    for (const MapSegment& segment : line.segments) include(first_end(segment)), include(second_end(segment));
   }
+  if (bounds.empty()) std::for_each(drawing.readings.begin(), drawing.readings.end(), include);
   return io::canvas_of_bounds(bounds, wanted_size);
 }
 
 class Drawing {
  public:
   Drawing(const LineMap& map, const FloorDrawing& drawing)
-      : map_(map), drawing_(drawing), canvas_(canvas_for(map, drawing)), printer_(nullptr, true) {}
+      : map_(map),
+        drawing_(drawing),
+        canvas_(canvas_for(map, drawing)),
+        legend_(io::floor_legend(map, drawing, canvas_.width)),
+        printer_(nullptr, true) {}
 
   std::string run() {
     open();
@@ -72,7 +71,8 @@ class Drawing {
  private:
   void open() {
     const std::string width = io::to_text(canvas_.width, 2);
-    const std::string height = io::to_text(canvas_.height + head_height + foot_height, 2);
+    const double foot = legend_top + (legend_.empty() ? 0 : legend_.back().y) + foot_margin;
+    const std::string height = io::to_text(canvas_.height + head_height + foot, 2);
     printer_.OpenElement("svg");
     attribute("xmlns", "http://www.w3.org/2000/svg");
     attribute("width", width);
@@ -98,15 +98,16 @@ class Drawing {
   void draw_walls() {
     const auto& bold = drawing_.bold_walls;
     std::string thin, thick;
-    for_each_wall([&](const MapSegment& wall) {
+    for_each_wall([&](const MapLine&, const MapSegment& wall) {
       const bool stands_out = std::find(bold.begin(), bold.end(), wall.id) != bold.end();
       add_line(stands_out ? thick : thin, first_end(wall), second_end(wall));
     });
     path("wall", thin);
     path("bold", thick);
-    for_each_wall([&](const MapSegment& wall) {
+    for_each_wall([&](const MapLine& line, const MapSegment& wall) {
       if (std::find(bold.begin(), bold.end(), wall.id) == bold.end()) return;
-      label("wall-id", first_end(wall), second_end(wall), io::to_text(wall.id), -11);
+      label("wall-id", first_end(wall), second_end(wall), io::to_text(wall.id),
+            line.free == FreeSide::minus ? 12 : -12);  // behind the wall
     });
   }
 
@@ -120,7 +121,7 @@ class Drawing {
       if (!spots.emplace(static_cast<int>(at.x), static_cast<int>(at.y)).second) continue;
       dots += io::joined("M", numbers(at), "h0");
     }
-    path("reading", dots);
+    path(io::reading_class(drawing_), dots);
   }
 
   void draw_ways(FloorPath kind) {
@@ -136,7 +137,8 @@ class Drawing {
     std::string d;
     add_line(d, segment.from, segment.to);
     path(io::class_of(segment.kind), d);
-    if (!segment.label.empty()) label("label", segment.from, segment.to, segment.label, 13);
+    if (!segment.label.empty())
+      label(io::label_class_of(segment.kind), segment.from, segment.to, segment.label, 13);
   }
 
   void draw_mark(const FloorMark& mark) {
@@ -184,40 +186,23 @@ class Drawing {
   }
 
   void draw_legend() {
-    const double y = head_height + canvas_.height + 44;
-    double x = 12;
-    const auto entry = [&](const char* kind, const std::string& words, const std::string& d) {
-      path(kind, d);
-      text("note", {x + 26, y + 4}, words);
-      x += 40 + 6.2 * static_cast<double>(words.size());
-    };
-    const auto stroke = [&] { return io::joined("M", numbers({x, y}), "h20"); };
-    entry("wall", "wall of the map", stroke());
-    if (!drawing_.bold_walls.empty()) entry("bold", "matched wall, id", stroke());
-    if (!drawing_.readings.empty())
-      entry("reading", "laser reading", io::joined("M", numbers({x + 4, y}), "h0m6 2h0m6 -3h0"));
-    for (const io::FloorWord<FloorPath>& word : io::path_words) {
-      const auto is = [&](const FloorWay& way) { return way.kind == word.kind && !way.points.empty(); };
-      if (std::any_of(drawing_.ways.begin(), drawing_.ways.end(), is))
-        entry(word.style, word.words, stroke());
-    }
-    for (const io::FloorWord<FloorLine>& word : io::line_words) {
-      const auto is = [&](const FloorSegment& segment) { return segment.kind == word.kind; };
-      if (std::any_of(drawing_.segments.begin(), drawing_.segments.end(), is))
-        entry(word.style, word.words, stroke());
-    }
-    for (const io::FloorWord<FloorRobot>& word : io::robot_words) {
-      const auto is = [&](const FloorMark& mark) { return mark.kind == word.kind; };
-      if (std::none_of(drawing_.marks.begin(), drawing_.marks.end(), is)) continue;
-      arrow_head(word.kind, {x + 10, y}, {});
-      entry("none", word.words, "");
+    for (const io::LegendEntry& entry : legend_) {
+      const Point2 at{entry.x, head_height + canvas_.height + legend_top + entry.y};
+      if (entry.robot) {
+        arrow_head(*entry.robot, {at.x + 10, at.y}, {});
+      } else if (entry.dots) {
+        path(entry.style, io::joined("M", numbers({at.x + 4, at.y}), "h0m6 2h0m6 -3h0"));
+      } else {
+        path(entry.style, io::joined("M", numbers(at), "h20"));
+      }
+      text("note", {at.x + 26, at.y + 4}, entry.words);
     }
   }
 
   template <class Action>
   void for_each_wall(Action&& action) {
     for (const MapLine& line : map_.lines) {
-      for (const MapSegment& segment : line.segments) action(segment);
+      for (const MapSegment& segment : line.segments) action(line, segment);
     }
   }
 
@@ -265,6 +250,7 @@ class Drawing {
   const LineMap& map_;
   const FloorDrawing& drawing_;
   const io::SvgCanvas canvas_;
+  const std::vector<io::LegendEntry> legend_;
   tinyxml2::XMLPrinter printer_;
 };
 

@@ -49,7 +49,7 @@ struct FloorDrawing {
   std::vector<FloorSegment> segments;
   std::vector<FloorMark> marks;
   std::vector<std::uint32_t> bold_walls;  ///< ids of the map's segments that stand out, with their ids
-  bool whole_map = true;                  ///< else what surrounds the readings, segments and marks
+  std::vector<Point2> view;               ///< the drawing shows what surrounds these; none: the whole map
 };
 
 /// The walls of a metre map, thin readings on them, ways, marks, a scale and a legend of what is there, as a
