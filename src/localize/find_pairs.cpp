@@ -38,7 +38,7 @@ Placed place(const ScanLine& line, const Pose2& pose) {
   return p;
 }
 
-double end_slack(const Wall& wall, const Matrix3& p, const MatchOptions& options) {
+double end_slack(const Wall& wall, const StateMatrix& p, const MatchOptions& options) {
   const double tx = -wall.ny, ty = wall.nx;
   const double along = tx * tx * p(0, 0) + 2 * tx * ty * p(0, 1) + ty * ty * p(1, 1);
   return options.end_slack_m + std::min(most_end_slack_m, 2 * std::sqrt(std::max(0.0, along)));

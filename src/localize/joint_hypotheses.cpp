@@ -21,8 +21,8 @@ double chi_square_quantile(double freedom) {
 
 /// What is left uncertain under a set of pairs: how far the pose has moved, and its covariance.
 struct Node {
-  Matrix<3, 1> moved;
-  Matrix3 covariance;
+  Matrix<state_size, 1> moved;
+  StateMatrix covariance;
 };
 
 class Tree {
@@ -58,16 +58,16 @@ class Tree {
   bool judge(const Node& node, std::uint32_t index, Child& child) const {
     const LinePair& pair = list_.pairs[index];
     const Wall& wall = map_.walls()[pair.wall];
-    const Matrix<2, 3> h = by_pose(pair, wall);
+    const Matrix<2, state_size> h = by_state(pair, wall);
     Matrix<2, 1> errors = h * node.moved;
     errors.v[0] += pair.angle;
     errors.v[1] += pair.offset;
-    const Matrix<3, 2> with_errors = node.covariance * transposed(h);
+    const StateWithLine with_errors = node.covariance * transposed(h);
     Matrix2 inverse;
     if (!invert(h * with_errors + own_covariance(pair, wall), inverse)) return false;
     child.chi_square = (transposed(errors) * (inverse * errors)).v[0];
     if (!(child.chi_square <= options_.gate)) return false;
-    const Matrix<3, 2> gain = with_errors * inverse;
+    const StateWithLine gain = with_errors * inverse;
     child.pair = index;
     child.node = node;
     child.node.moved -= gain * errors;

@@ -21,7 +21,7 @@ Matrix2 covariance_of(const Wall& wall) {
 }
 
 Matrix2 sum_covariance(const LinePair& pair, const PoseBelief& belief, const Wall& wall) {
-  const Matrix<2, 3> h = by_pose(pair, wall);
+  const Matrix<2, state_size> h = by_state(pair, wall);
   Matrix2 s = h * belief.covariance * transposed(h) + own_covariance(pair, wall);
   if (!belief.with_lines.empty()) {
     const Matrix2 cross = h * belief.with_lines[wall.line] * transposed(by_wall(pair));
@@ -54,8 +54,8 @@ LinePair make_pair(const Pose2& pose, const ScanLine& line, std::uint32_t line_i
   return pair;
 }
 
-Matrix<2, 3> by_pose(const LinePair& pair, const Wall& wall) {
-  return {{0, 0, -1, wall.nx, wall.ny, pair.offset_by_heading}};
+Matrix<2, state_size> by_state(const LinePair& pair, const Wall& wall) {
+  return {{0, 0, -1, 0, 0, wall.nx, wall.ny, pair.offset_by_heading, 0, 0}};
 }
 
 Matrix2 by_wall(const LinePair& pair) {
@@ -84,16 +84,18 @@ void correct(PoseBelief& belief, const LinePair& pair, const WallMap& map) {
   Matrix2 inverse;
   if (!invert(pair.s, inverse)) return;
   if (belief.with_lines.empty()) belief.with_lines.resize(map.lines());
-  const Matrix<2, 3> h = by_pose(pair, wall);
+  const Matrix<2, state_size> h = by_state(pair, wall);
   const Matrix2 j = by_wall(pair);
-  const Matrix<3, 2> with_errors =
+  const StateWithLine with_errors =
       belief.covariance * transposed(h) + belief.with_lines[wall.line] * transposed(j);
-  const Matrix<3, 2> gain = with_errors * inverse;
+  const StateWithLine gain = with_errors * inverse;
   const Matrix<2, 1> errors{{pair.angle, pair.offset}};
-  const Matrix<3, 1> step = gain * errors;
+  const Matrix<state_size, 1> step = gain * errors;
   belief.pose.x_m -= step.v[0];
   belief.pose.y_m -= step.v[1];
   belief.pose.heading_rad = wrap_angle(belief.pose.heading_rad - step.v[2]);
+  belief.scale -= step.v[3];
+  belief.drift -= step.v[4];
   belief.covariance -= gain * transposed(with_errors);
   make_symmetric(belief.covariance);
   for (std::uint32_t i = 0; i < belief.with_lines.size(); ++i) {

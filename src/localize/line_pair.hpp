@@ -35,8 +35,8 @@ struct LinePair {
 LinePair make_pair(const Pose2& pose, const ScanLine& line, std::uint32_t line_index, const WallMap& map,
                    std::uint32_t wall_index);
 
-/// The derivatives by the pose.
-Matrix<2, 3> by_pose(const LinePair& pair, const Wall& wall);
+/// The derivatives by the pose; those by the odometry's faults are zero.
+Matrix<2, state_size> by_state(const LinePair& pair, const Wall& wall);
 /// The derivatives by the wall's angle and offset.
 Matrix<2, 2> by_wall(const LinePair& pair);
 /// The covariance that the wall and the scan's line bring in.

@@ -20,6 +20,12 @@ namespace {
 
 constexpr std::size_t readings_to_check = 60;
 constexpr double widest_map_m = 1e5;
+constexpr double slip_share = 0.85;  // of the usual share of readings on walls; below it, a slip is tried
+constexpr double slip_gain = 1.5;    // log likelihood that a slip must bring
+constexpr double slip_m = 0.3;
+constexpr double slip_rad = 0.1;
+constexpr double most_step_ratio = 10;
+constexpr double usual_gain = 0.05;  // of the running mean
 
 bool map_is_sound(const WallMap& map) {
   return std::all_of(map.walls().begin(), map.walls().end(), [](const Wall& wall) {
@@ -50,7 +56,10 @@ struct Localizer::State {
         last_time(other.last_time),
         last_pose(other.last_pose),
         last_motion(other.last_motion),
-        doubts(other.doubts) {
+        last_step_s(other.last_step_s),
+        step_ratio(other.step_ratio),
+        doubts(other.doubts),
+        usual_on_walls(other.usual_on_walls) {
     search.moved_to(map, faces);
   }
 
@@ -61,6 +70,7 @@ struct Localizer::State {
   bool take_time(const LaserScan& scan);
   std::optional<Pose2> motion_to(const std::optional<Pose2>& odometry);
   void track(const std::optional<Pose2>& motion);
+  void try_slip(const PoseBelief& predicted, PoseScore& score);
   void check();
   void look(const std::optional<Pose2>& motion);
   void lose();
@@ -79,7 +89,10 @@ struct Localizer::State {
   std::optional<double> last_time;
   Pose2 last_pose;  // for the motion without odometry
   Pose2 last_motion;
+  double last_step_s = 0, step_ratio = 1;
   std::uint32_t doubts = 0;
+  double usual_on_walls = 0.8;
+  std::vector<LineMatch> slip_matches;
 };
 
 /// False: the scan is to be passed over.
@@ -92,6 +105,9 @@ bool Localizer::State::take_time(const LaserScan& scan) {
     result.scan = ScanVerdict::time_backwards;
     return false;
   }
+  const double took = last_time ? scan.time_s - *last_time : 0;
+  step_ratio = took > 0 && last_step_s > 0 ? std::min(most_step_ratio, took / last_step_s) : 1;
+  last_step_s = took;
   last_time = scan.time_s;
   result.time_s = scan.time_s;
   return true;
@@ -113,24 +129,52 @@ void Localizer::State::track(const std::optional<Pose2>& motion) {
   if (motion) {
     predict(belief, *motion, options.motion);
   } else {
-    predict_blindly(belief, last_motion, options.motion);
+    predict_blindly(belief, last_motion, step_ratio, options.motion);
   }
   if (result.scan != ScanVerdict::used) return;
   // Steps 3 and 4.
+  const PoseBelief predicted = belief;
   result.mean_chi_square =
       matcher.match_and_correct(map, result.lines, options.match, belief, result.matches);
   // Step 5.
-  result.fit = score_pose(map, belief.pose, readings, tolerance()).fit;
+  PoseScore score = score_pose(map, belief.pose, readings, tolerance());
+  if (score.fit.on_walls < slip_share * usual_on_walls) try_slip(predicted, score);
+  result.fit = score.fit;
   check();
 }
 
+/// The scan lies worse than those before: perhaps the odometry was late, or the robot has slipped or was
+/// pushed. The same scan once more, with a wider prediction; kept if the readings say that it is much better.
+void Localizer::State::try_slip(const PoseBelief& predicted, PoseScore& score) {
+  PoseBelief wide = predicted;
+  wide.covariance(0, 0) += slip_m * slip_m;
+  wide.covariance(1, 1) += slip_m * slip_m;
+  wide.covariance(2, 2) += slip_rad * slip_rad;
+  const double chi_square = matcher.match_and_correct(map, result.lines, options.match, wide, slip_matches);
+  const PoseScore slipped = score_pose(map, wide.pose, readings, tolerance());
+  if (slipped.log_likelihood < score.log_likelihood + slip_gain) return;
+  score = slipped;
+  belief = std::move(wide);
+  result.matches = slip_matches;
+  result.mean_chi_square = chi_square;
+}
+
 void Localizer::State::check() {
-  const bool against = result.fit.on_walls < options.loss.min_on_walls ||
-                       result.fit.through_walls > options.loss.max_through_walls;
+  const LossOptions& loss = options.loss;
+  const ScanFit& fit = result.fit;
+  const auto matched = static_cast<double>(
+      std::count_if(result.matches.begin(), result.matches.end(),
+                    [](const LineMatch& match) { return match.verdict == LineVerdict::matched; }));
+  // Fewer walls than usual may be the map's fault; then the lines that there are still match.
+  const bool worse = fit.on_walls < loss.usual_share * usual_on_walls;
+  const bool unmatched = matched < loss.min_matched * static_cast<double>(result.matches.size());
+  const bool against = fit.on_walls < loss.min_on_walls || fit.through_walls > loss.max_through_walls ||
+                       (worse && (unmatched || fit.through_walls > 0.5 * loss.max_through_walls));
+  if (!against) usual_on_walls += usual_gain * (fit.on_walls - usual_on_walls);
   doubts = against ? doubts + 1 : doubts - std::min(doubts, 1U);
   const double vague = belief.covariance(0, 0) + belief.covariance(1, 1);
-  const bool gone = !usable(belief.pose) || !(vague <= options.loss.max_sigma_m * options.loss.max_sigma_m);
-  if (doubts >= options.loss.scans || gone) lose();
+  const bool gone = !usable(belief.pose) || !(vague <= loss.max_sigma_m * loss.max_sigma_m);
+  if (doubts >= loss.scans || gone) lose();
 }
 
 void Localizer::State::lose() {
@@ -155,7 +199,7 @@ void Localizer::State::look(const std::optional<Pose2>& motion) {
 
 void Localizer::State::report() {
   result.pose = belief.pose;
-  result.covariance = belief.covariance.v;
+  result.covariance = pose_covariance(belief).v;
   result.has_pose = result.state == LocalizeState::tracking;
   MatchCounts& counts = result.match_counts;
   counts = {};
@@ -231,7 +275,7 @@ const LocalizeResult& Localizer::result() const noexcept {
 }
 
 void Localizer::start_at(const Pose2& pose, const std::array<double, 9>& covariance) {
-  state_->belief = {pose, {covariance}, {}};
+  state_->belief = belief_at(pose, {covariance}, state_->options.motion);
   state_->last_pose = pose;
   state_->last_motion = {};
   state_->doubts = 0;

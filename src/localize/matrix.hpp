@@ -56,9 +56,10 @@ constexpr Matrix<n, m> operator+(Matrix<n, m> a, const Matrix<n, m>& b) noexcept
 }
 
 /// Both triangles made equal.
-constexpr void make_symmetric(Matrix3& a) noexcept {
-  for (std::size_t r = 0; r < 3; ++r) {
-    for (std::size_t c = r + 1; c < 3; ++c) a(r, c) = a(c, r) = 0.5 * (a(r, c) + a(c, r));
+template <std::size_t n>
+constexpr void make_symmetric(Matrix<n, n>& a) noexcept {
+  for (std::size_t r = 0; r < n; ++r) {
+    for (std::size_t c = r + 1; c < n; ++c) a(r, c) = a(c, r) = 0.5 * (a(r, c) + a(c, r));
   }
 }
 

@@ -22,7 +22,8 @@ bool within(std::uint32_t value, std::uint32_t least, std::uint32_t most) {
 bool sound(const MotionOptions& o) {
   return within(o.along_per_m, 0, 10) && within(o.along_per_rad, 0, 10) && within(o.along_m, 0, 10) &&
          within(o.turn_per_rad, 0, 10) && within(o.turn_per_m, 0, 10) && within(o.turn_rad, 0, pi) &&
-         within(o.unknown_m, 0, 10) && within(o.unknown_rad, 0, pi);
+         within(o.scale, 0, 1) && within(o.drift_per_m, 0, 1) && within(o.unknown_m, 0, 10) &&
+         within(o.unknown_rad, 0, pi);
 }
 
 bool sound(const MatchOptions& o) {
@@ -41,7 +42,8 @@ bool sound(const SearchOptions& o) {
 
 bool sound(const LossOptions& o) {
   return within(o.min_on_walls, 0, 1) && within(o.max_through_walls, 0, 1) && within(o.scans, 1U, 1000U) &&
-         above(o.max_sigma_m, 0, 1e4) && above(o.on_wall_m, 0, 1) && within(o.on_wall_roughness, 0, 10);
+         above(o.max_sigma_m, 0, 1e4) && within(o.usual_share, 0, 1) && within(o.min_matched, 0, 1) &&
+         above(o.on_wall_m, 0, 1) && within(o.on_wall_roughness, 0, 10);
 }
 
 /// Symmetric, and its leading minors positive.

@@ -11,19 +11,36 @@
 
 namespace straightedge::localize {
 
+/// Estimated: x, y, heading (metres, radians, world), and the odometry's own faults: its scale error and its
+/// drift, radians for each metre. Uneven tyres make every metre too long and bend every way, always alike, so
+/// what the walls teach about them helps where there are none (J. Borenstein, L. Feng, 1996,
+/// doi:10.1109/70.544770).
+inline constexpr std::size_t state_size = 5;
+using StateMatrix = Matrix<state_size, state_size>;
+using StateWithLine = Matrix<state_size, 2>;
+
 /// What the filter knows: a pose, how sure it is, and how its error depends on that of each map line.
 struct PoseBelief {
   Pose2 pose;
-  Matrix3 covariance;
-  /// Covariance of (x, y, heading) with (angle, offset) of each line of the map; none before the first
-  /// correction.
-  std::vector<Matrix<3, 2>> with_lines;
+  double scale = 0;  ///< true way = (1 + scale) · the odometry's
+  double drift = 0;  ///< true turn = the odometry's + drift · way
+  StateMatrix covariance;
+  /// Covariance of the state with (angle, offset) of each line of the map; none before the first correction.
+  std::vector<StateWithLine> with_lines;
 };
+
+/// Nothing known of the odometry but how good it usually is.
+PoseBelief belief_at(const Pose2& pose, const Matrix3& covariance, const MotionOptions& options);
+
+/// Of x, y and heading.
+Matrix3 pose_covariance(const PoseBelief& belief);
 
 /// Step 2 of localizer.hpp. `motion` in the frame of the pose before it.
 void predict(PoseBelief& belief, const Pose2& motion, const MotionOptions& options);
 
-/// Without odometry: the last motion again, with wide noise.
-void predict_blindly(PoseBelief& belief, const Pose2& last_motion, const MotionOptions& options);
+/// Without odometry: the last motion again, with wide noise. `times`: how many times as long as the last step
+/// this one took.
+void predict_blindly(PoseBelief& belief, const Pose2& last_motion, double times,
+                     const MotionOptions& options);
 
 }  // namespace straightedge::localize

@@ -15,7 +15,8 @@ constexpr double hopeless = 60;        // log likelihood behind the best
 constexpr double first_sigma_m = 0.3;  // of a candidate
 constexpr double first_sigma_rad = 0.05;
 constexpr int polish_rounds = 2;
-constexpr double loose = 2;  // tolerance for scans before, whose place the odometry tells
+constexpr double known_slack = 3;  // a candidate so much likelier replaces the hypothesis at its place
+constexpr double loose = 2;        // tolerance for scans before, whose place the odometry tells
 
 bool far(const Pose2& motion) {
   return motion.x_m * motion.x_m + motion.y_m * motion.y_m > keyframe_way_m * keyframe_way_m ||
@@ -46,7 +47,7 @@ void PoseSearch::move_all(const std::optional<Pose2>& motion) {
     if (motion) {
       predict(hypothesis.belief, *motion, options_.motion);
     } else {
-      predict_blindly(hypothesis.belief, Pose2{}, options_.motion);
+      predict_blindly(hypothesis.belief, Pose2{}, 1, options_.motion);
     }
   }
   if (!motion) {  // where the robot was before can not be told any more
@@ -79,16 +80,27 @@ double PoseSearch::past_of(const Pose2& pose) const {
 void PoseSearch::add_candidates(const SearchInput& input, SearchCounts& counts) {
   find_candidates(*map_, *faces_, input.lines, input.readings, loose * tolerance_m_, options_.search,
                   candidates_, counts);
+  // What the scans before the kept ones said is not known of a new pose: it is taken as said of the best.
+  const auto best =
+      std::max_element(hypotheses_.begin(), hypotheses_.end(),
+                       [](const Hypothesis& a, const Hypothesis& b) { return a.total() < b.total(); });
+  const double before = best == hypotheses_.end() ? 0 : best->past - past_of(best->belief.pose);
+  const std::size_t followed = hypotheses_.size();
   for (const CandidatePose& candidate : candidates_) {
+    const auto end = hypotheses_.begin() + static_cast<std::ptrdiff_t>(followed);
+    const bool known = std::any_of(hypotheses_.begin(), end, [&](const Hypothesis& hypothesis) {
+      return same_place(hypothesis.belief.pose, candidate.pose) &&
+             hypothesis.present >= candidate.log_likelihood - known_slack;
+    });
+    if (known) continue;
     Hypothesis hypothesis;
     hypothesis.belief.pose = candidate.pose;
     for (int round = 0; round < polish_rounds; ++round) {
-      hypothesis.belief.covariance = first_covariance();
-      hypothesis.belief.with_lines.clear();
+      hypothesis.belief = belief_at(hypothesis.belief.pose, first_covariance(), options_.motion);
       follow(hypothesis, input);
     }
     hypothesis.scans = 1;
-    hypothesis.past = past_of(hypothesis.belief.pose);
+    hypothesis.past = before + past_of(hypothesis.belief.pose);
     hypotheses_.push_back(std::move(hypothesis));
   }
 }

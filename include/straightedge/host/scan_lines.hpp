@@ -23,8 +23,8 @@ struct ScanLineOptions {
   double bearing_sigma_rad = 0.002;  ///< noise of a beam's direction, [0, 0.1]
   double split_distance_m = 0.07;    ///< points farther from a line than this are not of it, (0, 1]
   double max_gap_m = 0.35;           ///< a hole this wide between neighbours ends a line, (0, 100]
-  double min_length_m = 0.4;         ///< shorter pieces are no lines, (0, 100]
-  std::uint32_t min_points = 6;      ///< pieces of fewer points are no lines, >= 3
+  double min_length_m = 0.25;         ///< shorter pieces are no lines, (0, 100]
+  std::uint32_t min_points = 5;      ///< pieces of fewer points are no lines, >= 3
   double angle_floor_rad = 0.005;    ///< error that no number of points averages away, [0, 0.1]
   double offset_floor_m = 0.01;      ///< the same for the offset, [0, 1]
   std::uint64_t seed = 1;            ///< RANSAC and Hough
