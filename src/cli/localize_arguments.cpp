@@ -29,19 +29,19 @@ std::vector<double> numbers_of(const std::string& name, std::string text, std::s
     numbers.push_back(number.value_or(0));
   }
   if (!good || numbers.size() != wanted)
-    throw CLI::ValidationError(name, "\"" + text + "\" is not " + form + " in numbers below 1e6");
+    throw CLI::ValidationError(name, "\"" + text + "\" is not " + form + " below 1e6");
   return numbers;
 }
 
 CLI::Option* add_pose(CLI::App& command, const std::string& name, std::optional<Pose2>& target,
                       const std::string& help) {
   const auto read = [name, &target](const std::string& text) {
-    const std::vector<double> v = numbers_of(name, text, 3, "\"X Y DEGREES\"");
+    const std::vector<double> v = numbers_of(name, text, 3, "three numbers X Y DEGREES");
     if (!(v[2] >= -most_degrees && v[2] <= most_degrees))
       throw CLI::ValidationError(name, "\"" + text + "\" turns by more than 36000 degrees");
     target = Pose2{v[0], v[1], wrap_angle(v[2] * degree)};
   };
-  return command.add_option_function<std::string>(name, read, help)->type_name("\"X Y DEGREES\"");
+  return command.add_option_function<std::string>(name, read, help)->type_name("X,Y,DEGREES");
 }
 
 std::string pose_words(const Pose2& pose) {
@@ -102,9 +102,10 @@ void LocalizeArguments::add_files(CLI::App& command) {
 
 void LocalizeArguments::add_robot(CLI::App& command) {
   add_pose(command, "--start", start_,
-           "where the robot stands at the first scan, in the map's world; without it the place is searched");
+           "where the robot stands at the first scan, in the map's world, three numbers with blanks or "
+           "commas between; without it the place is searched");
   const auto read_sigma = [this](const std::string& text) {
-    const std::vector<double> v = numbers_of("--start-sigma", text, 2, "\"METRES DEGREES\"");
+    const std::vector<double> v = numbers_of("--start-sigma", text, 2, "two numbers METRES DEGREES");
     if (!(v[0] > 0 && v[0] <= 100 && v[1] > 0 && v[1] <= 180))
       throw CLI::ValidationError("--start-sigma",
                                  "\"" + text + "\" is not above 0 and at most 100 m and 180 degrees");
@@ -113,8 +114,8 @@ void LocalizeArguments::add_robot(CLI::App& command) {
   start_sigma_option_ = command
                             .add_option_function<std::string>("--start-sigma", read_sigma,
                                                               "how sure that is: standard deviations")
-                            ->type_name("\"METRES DEGREES\"")
-                            ->default_str("0.2 " + io::to_short_text(0.1 / degree));
+                            ->type_name("METRES,DEGREES")
+                            ->default_str("0.2," + io::to_short_text(start_sigma_.heading_rad / degree));
   add_pose(command, "--laser", laser_, "where the laser sits in the robot, in place of the log's");
   add_choice(
       command, "--odometry", odometry_,

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/localize_outputs.hpp"
 
+#include <system_error>
+
 #include "cli/localize_explain.hpp"
 #include "cli/localize_pictures.hpp"
 #include "cli/program.hpp"
@@ -26,7 +28,12 @@ LocalizeOutputs::LocalizeOutputs(const LocalizeArguments& arguments) : arguments
 Result<Done> LocalizeOutputs::check() const {
   std::vector<fs::path> inputs = {input_path(arguments_.map), input_path(arguments_.scans)};
   if (!arguments_.truth.empty()) inputs.emplace_back(arguments_.truth);
-  return check_outputs(outputs_, inputs, arguments_.common.json);
+  if (auto fine = check_outputs(outputs_, inputs, arguments_.common.json); !fine) return fine;
+  std::error_code error;
+  if (arguments_.explain.empty() || !fs::exists(arguments_.explain, error) ||
+      fs::is_directory(arguments_.explain, error))
+    return Done{};
+  return Failure{Problem::cannot_write, arguments_.explain + ": is no folder that pictures could go to"};
 }
 
 Result<Done> LocalizeOutputs::fill(const LocalizeStory& story) {
