@@ -36,12 +36,6 @@ void PoseSearch::start() {
   since_keyframe_ = {};
 }
 
-void PoseSearch::propose(const PoseBelief& belief) {
-  Hypothesis hypothesis;
-  hypothesis.belief = belief;
-  hypotheses_.push_back(hypothesis);
-}
-
 void PoseSearch::move_all(const std::optional<Pose2>& motion) {
   for (Hypothesis& hypothesis : hypotheses_) {
     if (motion) {
@@ -60,31 +54,43 @@ void PoseSearch::move_all(const std::optional<Pose2>& motion) {
 
 /// Step 1.
 void PoseSearch::follow(Hypothesis& hypothesis, const SearchInput& input) {
-  matcher_.match_and_correct(*map_, input.lines, options_.match, hypothesis.belief, matches_);
-  const PoseScore score = score_pose(*map_, hypothesis.belief.pose, input.readings, tolerance_m_);
+  matcher_.match_and_correct(input.map, input.lines, options_.match, hypothesis.belief, matches_);
+  const PoseScore score = score_pose(input.map, hypothesis.belief.pose, input.readings, input.tolerance_m);
   hypothesis.present = score.log_likelihood;
   hypothesis.fit = score.fit;
   ++hypothesis.scans;
 }
 
-double PoseSearch::past_of(const Pose2& pose) const {
+double PoseSearch::past_of(const Pose2& pose, const SearchInput& input) const {
   double past = 0;
   for (const Keyframe& keyframe : keyframes_) {
     const Pose2 then = compose(pose, inverse(keyframe.to_present));
-    past += score_pose(*map_, then, keyframe.readings, loose * tolerance_m_).log_likelihood;
+    past += score_pose(input.map, then, keyframe.readings, loose * input.tolerance_m).log_likelihood;
   }
   return past;
 }
 
+/// A candidate, corrected by the scan that proposed it.
+Hypothesis PoseSearch::hypothesis_at(const Pose2& pose, const SearchInput& input) {
+  Hypothesis hypothesis;
+  hypothesis.belief.pose = pose;
+  for (int round = 0; round < polish_rounds; ++round) {
+    hypothesis.belief = belief_at(hypothesis.belief.pose, first_covariance(), options_.motion);
+    follow(hypothesis, input);
+  }
+  hypothesis.scans = 1;
+  return hypothesis;
+}
+
 /// Step 2.
 void PoseSearch::add_candidates(const SearchInput& input, SearchCounts& counts) {
-  find_candidates(*map_, *faces_, input.lines, input.readings, loose * tolerance_m_, options_.search,
-                  candidates_, counts);
+  find_candidates(input.map, input.faces, input.lines, input.readings, loose * input.tolerance_m,
+                  options_.search, candidates_, counts);
   // What the scans before the kept ones said is not known of a new pose: it is taken as said of the best.
   const auto best =
       std::max_element(hypotheses_.begin(), hypotheses_.end(),
                        [](const Hypothesis& a, const Hypothesis& b) { return a.total() < b.total(); });
-  const double before = best == hypotheses_.end() ? 0 : best->past - past_of(best->belief.pose);
+  const double before = best == hypotheses_.end() ? 0 : best->past - past_of(best->belief.pose, input);
   const std::size_t followed = hypotheses_.size();
   for (const CandidatePose& candidate : candidates_) {
     const auto end = hypotheses_.begin() + static_cast<std::ptrdiff_t>(followed);
@@ -93,14 +99,8 @@ void PoseSearch::add_candidates(const SearchInput& input, SearchCounts& counts) 
              hypothesis.present >= candidate.log_likelihood - known_slack;
     });
     if (known) continue;
-    Hypothesis hypothesis;
-    hypothesis.belief.pose = candidate.pose;
-    for (int round = 0; round < polish_rounds; ++round) {
-      hypothesis.belief = belief_at(hypothesis.belief.pose, first_covariance(), options_.motion);
-      follow(hypothesis, input);
-    }
-    hypothesis.scans = 1;
-    hypothesis.past = before + past_of(hypothesis.belief.pose);
+    Hypothesis hypothesis = hypothesis_at(candidate.pose, input);
+    hypothesis.past = before + past_of(hypothesis.belief.pose, input);
     hypotheses_.push_back(std::move(hypothesis));
   }
 }

@@ -27,6 +27,9 @@ struct Hypothesis {
 
 /// What one scan brings to the search.
 struct SearchInput {
+  const WallMap& map;
+  const WallFaces& faces;
+  double tolerance_m = 0;  ///< of a reading on a wall
   std::span<const ScanLine> lines;
   const Readings& readings;
   std::optional<Pose2> motion;  ///< since the last scan; none: not known
@@ -43,22 +46,16 @@ struct SearchInput {
 /// A robot that stands still learns nothing new: scans between which it has not moved count once.
 class PoseSearch {
  public:
-  PoseSearch(const WallMap& map, const WallFaces& faces, const LocalizeOptions& options, double tolerance_m)
-      : map_(&map), faces_(&faces), options_(options), tolerance_m_(tolerance_m) {}
+  explicit PoseSearch(const LocalizeOptions& options) : options_(options) {}
 
+  /// Forgets everything.
   void start();
-  /// A place to begin with, such as where the robot was before it was lost.
-  void propose(const PoseBelief& belief);
 
   /// The belief that stands, if one does.
   std::optional<PoseBelief> step(const SearchInput& input, SearchCounts& counts);
 
   /// The likeliest first.
   const std::vector<Hypothesis>& hypotheses() const { return hypotheses_; }
-  void moved_to(const WallMap& map, const WallFaces& faces) {
-    map_ = &map;
-    faces_ = &faces;
-  }
 
  private:
   struct Keyframe {
@@ -68,16 +65,14 @@ class PoseSearch {
 
   void move_all(const std::optional<Pose2>& motion);
   void follow(Hypothesis& hypothesis, const SearchInput& input);
+  Hypothesis hypothesis_at(const Pose2& pose, const SearchInput& input);
   void add_candidates(const SearchInput& input, SearchCounts& counts);
-  double past_of(const Pose2& pose) const;
+  double past_of(const Pose2& pose, const SearchInput& input) const;
   void prune();
   void keep_keyframe(const SearchInput& input);
   bool stands() const;
 
-  const WallMap* map_;
-  const WallFaces* faces_;
   LocalizeOptions options_;
-  double tolerance_m_;
   std::vector<Hypothesis> hypotheses_;
   std::vector<Keyframe> keyframes_;
   Pose2 since_keyframe_;

@@ -34,11 +34,11 @@ constexpr Pose2 motion_between(const Pose2& from, const Pose2& to) noexcept {
   return compose(inverse(from), to);
 }
 
-/// All three numbers are finite, and small enough to compute with: below 1e6 metres, 1e6 radians.
+/// All three numbers are finite, and small enough to compute with: 1e8 metres, 1e5 radians.
 constexpr bool usable(const Pose2& p) noexcept {
-  constexpr double limit = 1e6;
-  return p.x_m > -limit && p.x_m < limit && p.y_m > -limit && p.y_m < limit && p.heading_rad > -limit &&
-         p.heading_rad < limit;
+  constexpr double far = 1e8, turned = 1e5;
+  return p.x_m >= -far && p.x_m <= far && p.y_m >= -far && p.y_m <= far && p.heading_rad >= -turned &&
+         p.heading_rad <= turned;
 }
 
 }  // namespace straightedge
