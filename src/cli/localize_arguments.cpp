@@ -13,7 +13,7 @@
 namespace straightedge::cli {
 namespace {
 
-constexpr double most_m = 1e6;
+constexpr double most_m = 1e8;
 constexpr double most_degrees = 36000;
 
 /// As many numbers as wanted, with blanks or commas between them.
@@ -29,7 +29,7 @@ std::vector<double> numbers_of(const std::string& name, std::string text, std::s
     numbers.push_back(number.value_or(0));
   }
   if (!good || numbers.size() != wanted)
-    throw CLI::ValidationError(name, "\"" + text + "\" is not " + form + " below 1e6");
+    throw CLI::ValidationError(name, "\"" + text + "\" is not " + form + " below 1e8");
   return numbers;
 }
 

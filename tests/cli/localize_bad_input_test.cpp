@@ -89,7 +89,7 @@ TEST_CASE("options of localize that are out of range or do not fit") {
   const BadRun run;
   for (const auto& [option, value] :
        {std::pair("--start", "1 2"), std::pair("--start", "1 2 3 4"), std::pair("--start", "nan 0 0"),
-        std::pair("--start", "1 2 x"), std::pair("--start", "2e6 0 0"), std::pair("--start", "0 0 1e5"),
+        std::pair("--start", "1 2 x"), std::pair("--start", "2e8 0 0"), std::pair("--start", "0 0 1e5"),
         std::pair("--laser", ""), std::pair("--laser", "inf 0 0"), std::pair("--max-range", "-1"),
         std::pair("--max-range", "nan"), std::pair("--noise", "0"), std::pair("--noise", "2"),
         std::pair("--lines", "lsd"), std::pair("--association", "x"), std::pair("--gate", "0"),

@@ -54,8 +54,8 @@ struct FloorDrawing {
 
 /// The walls of a metre map, thin readings on them, ways, marks, a scale and a legend of what is there, as a
 /// drawing that any browser opens. Of readings that fall on one spot of the drawing the first is drawn, so
-/// that a thousand scans of one wall cost what one does. Points that are not finite or farther than 1e6 m are
-/// left out. The same drawing gives the same bytes.
+/// that a thousand scans of one wall cost what one does. Points that no Pose2 may have
+/// (pose2.hpp) are left out. The same drawing gives the same bytes.
 std::string floor_to_svg(const LineMap& metre_map, const FloorDrawing& drawing);
 
 }  // namespace straightedge

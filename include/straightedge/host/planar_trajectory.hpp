@@ -32,7 +32,7 @@ std::string covariances_to_text(std::span<const TimedPose2> poses, const std::st
 /// the z axis is taken; the covariances are zero. Times must not run backwards.
 ///
 /// cannot_read: the file cannot be opened. bad_content, with the line: other lines, numbers that are not
-/// finite or beyond 1e6, a quaternion whose length is not 1 (within 1e-2), no pose at all.
+/// finite or beyond what a Pose2 may be, a quaternion whose length is not 1 (within 1e-2), no pose at all.
 Result<std::vector<TimedPose2>> read_planar_trajectory(const std::filesystem::path& file);
 
 }  // namespace straightedge
