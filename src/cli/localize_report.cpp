@@ -63,17 +63,18 @@ std::string log_words(const LocalizeStory& story) {
 
 std::string line_words(const LocalizeStory& story) {
   const LocalizeRun& run = story.run;
-  const std::size_t scans = run.poses.size();
-  std::string words = io::to_text(share(static_cast<double>(run.lines), story.log.scans.size()), 1) +
-                      " a scan; with a pose " + io::to_text(share(run.matches.matched, scans), 1) +
-                      " matched";
-  std::string refused;
+  return io::to_text(share(static_cast<double>(run.lines), story.log.scans.size()), 1) +
+         " a scan; matched with a pose: " + io::to_text(share(run.matches.matched, run.poses.size()), 1);
+}
+
+std::string refusal_words(const LocalizeRun& run) {
+  std::string words;
   for (const NamedCount& refusal : refusals) {
     if (run.matches.*refusal.count == 0) continue;
-    refused += (refused.empty() ? "" : ", ") + io::to_text(share(run.matches.*refusal.count, scans), 2) +
-               " " + refusal.words;
+    if (!words.empty()) words += ", ";
+    words += io::to_text(share(run.matches.*refusal.count, run.poses.size()), 2) + " " + refusal.words;
   }
-  return refused.empty() ? words : words + ", refused: " + refused;
+  return words.empty() ? "none" : words + " a scan";
 }
 
 std::string event_words(const LocalizeStory& story) {
@@ -137,6 +138,7 @@ std::string words_of(const LocalizeStory& story, const std::string& written) {
   line("map       ", count(story.map.lines.size(), "line") + ", " + count(segments_of(story.map), "segment"));
   line("log       ", log_words(story));
   line("lines     ", line_words(story));
+  line("refused   ", refusal_words(story.run));
   line("found     ", event_words(story));
   line("poses     ", io::to_text(story.run.poses.size()) + " of " + count(story.log.scans.size(), "scan"));
   if (story.errors) line("errors    ", error_words(*story.errors, true));
