@@ -24,7 +24,7 @@ constexpr double most_times = 10;  // that a step without odometry may take, mea
 
 struct Localizer::State {
   State(const LocalizeOptions& wanted, const WallMap& walls, const ScanLineFinder& lines)
-      : options(wanted),
+      : motion_options(wanted.motion),
         map(walls),
         faces(map),
         tolerance_m(wanted.loss.on_wall_m + wanted.loss.on_wall_roughness * map.roughness_m()),
@@ -39,7 +39,7 @@ struct Localizer::State {
   void look(const std::optional<Pose2>& motion);
   void report(const PoseBelief& belief);
 
-  LocalizeOptions options;
+  MotionOptions motion_options;
   WallMap map;
   WallFaces faces;
   double tolerance_m = 0;
@@ -113,6 +113,7 @@ void Localizer::State::look(const std::optional<Pose2>& motion) {
   if (found) {
     result.state = LocalizeState::tracking;
     tracker.start(*found);
+    tracker.explain(map, result);
   }
   if (search.hypotheses().empty()) return;
   result.fit = search.hypotheses().front().fit;
@@ -184,7 +185,7 @@ const LocalizeResult& Localizer::result() const noexcept {
 }
 
 void Localizer::start_at(const Pose2& pose, const std::array<double, 9>& covariance) {
-  const PoseBelief belief = belief_at(pose, {covariance}, state_->options.motion);
+  const PoseBelief belief = belief_at(pose, {covariance}, state_->motion_options);
   state_->tracker.start(belief);
   state_->result.state = LocalizeState::tracking;
   state_->report(belief);

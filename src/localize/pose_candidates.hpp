@@ -50,8 +50,8 @@ struct CandidatePose {
 ///
 /// Out: the best, no two near one another, likeliest first.
 ///
-/// The idea of searching poses by the geometry of pairs: K. O. Arras et al., 2003,
-/// doi:10.1016/S0921-8890(03)00034-7. Time: pairs of lines times pairs of faces of fitting angle.
+/// The search by geometric constraints: K. O. Arras, J. A. Castellanos, R. Siegwart, ICRA 2002,
+/// doi:10.1109/ROBOT.2002.1014734. Time: pairs of lines times pairs of faces of fitting angle.
 void find_candidates(const WallMap& map, const WallFaces& faces, std::span<const ScanLine> lines,
                      const Readings& readings, double tolerance_m, const SearchOptions& options,
                      std::vector<CandidatePose>& candidates, SearchCounts& counts);

@@ -34,6 +34,11 @@ void choose_readings(std::span<const ScanPoint> points, const Pose2& laser_in_ro
 PoseScore score_pose(const WallMap& map, const Pose2& pose, const Readings& readings, double tolerance_m) {
   PoseScore score;
   if (readings.ends.empty()) return score;
+  if (!usable(pose)) {
+    score.fit.nowhere = 1;
+    score.log_likelihood = -1e9;
+    return score;
+  }
   const SineCosine turn = sine_cosine(pose.heading_rad);
   const auto world_x = [&](double x, double y) { return pose.x_m + turn.cosine * x - turn.sine * y; };
   const auto world_y = [&](double x, double y) { return pose.y_m + turn.sine * x + turn.cosine * y; };

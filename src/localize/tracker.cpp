@@ -25,6 +25,12 @@ void Tracker::start(const PoseBelief& belief) {
   usual_on_walls_ = first_usual;
 }
 
+void Tracker::explain(const WallMap& map, LocalizeResult& result) {
+  PoseBelief corrected_again = belief_;
+  result.mean_chi_square =
+      matcher_.match_and_correct(map, result.lines, options_.match, corrected_again, result.matches);
+}
+
 void Tracker::predict(const std::optional<Pose2>& motion, double times) {
   last_motion_ = motion_between(last_pose_, belief_.pose);
   last_pose_ = belief_.pose;

@@ -19,6 +19,9 @@ class Tracker {
 
   void start(const PoseBelief& belief);
 
+  /// What the lines of `result` are in the map, where the belief has been corrected by them already.
+  void explain(const WallMap& map, LocalizeResult& result);
+
   /// Step 2. `times`: how many times as long as the step before this one took; for robots without odometry.
   void predict(const std::optional<Pose2>& motion, double times);
 

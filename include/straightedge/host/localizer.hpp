@@ -94,26 +94,27 @@ struct LocalizeResult {
 /// Finds and follows a robot in a line map by the lines of its laser scanner. Steps of each scan:
 ///
 ///  1. Lines of the scan with their covariance (scan_lines.hpp).
-///  2. Predict: the odometry's motion since the last scan moves the pose and widens its covariance; without
-///     odometry the last motion goes on, with wide noise.
+///  2. Predict: the odometry's motion since the last scan moves the pose and widens its covariance. Its scale
+///     and drift are learnt on the way. Without odometry the last motion goes on, with wide noise.
 ///  3. Match (docs/localization.md): walls near in angle and distance, of the right side, overlapping, within
 ///     the chi-square gate; then nearest neighbour, or the joint hypothesis with most pairs. A pair that some
 ///     equally good hypothesis gives to another wall is ambiguous and not used.
 ///  4. Correct: extended Kalman filter. The errors of the map's lines are the same in every scan, so they are
 ///     carried along as "considered" parameters (Schmidt): seeing one wall a thousand times does not make the
 ///     pose more certain than the wall.
-///  5. Check: the readings seen from the pose. When too few lie on walls, or too many behind them, for
-///  several
-///     scans, the robot is lost.
-///  6. Search, while there is no pose: pairs of scan lines on pairs of walls give candidate poses; scored by
-///  the
-///     readings; the best are followed as hypotheses, each with a filter of its own, until one stands out.
+///  5. Check: the readings seen from the pose. A scan that lies much worse than usual is matched once more
+///  with
+///     a wider prediction, for slips and late odometry. When too few readings lie on walls, or too many
+///     behind them, for several scans, the robot is lost.
+///  6. Search, while there is no pose: pairs of scan lines on pairs of walls give candidate poses, the
+///  readings
+///     score them; the best are followed as hypotheses, each with a filter of its own, until one stands out.
 ///
 /// S. F. Schmidt, "Application of state-space methods to navigation problems", 1966,
 /// doi:10.1016/B978-1-4831-6716-9.50011-4. J. Neira, J. D. Tardós, "Data association in stochastic mapping
 /// using the joint compatibility test", 2001, doi:10.1109/70.976019. K. O. Arras, J. A. Castellanos,
-/// M. Schilt, R. Siegwart, "Feature-based multi-hypothesis localization and tracking using geometric
-/// constraints", 2003, doi:10.1016/S0921-8890(03)00034-7.
+/// R. Siegwart, "Feature-based multi-hypothesis localization and tracking for mobile robots using geometric
+/// constraints", ICRA 2002, doi:10.1109/ROBOT.2002.1014734.
 ///
 /// Deterministic. Memory is kept from scan to scan. A value: copies go their own ways.
 class Localizer {

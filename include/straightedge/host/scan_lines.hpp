@@ -23,7 +23,7 @@ struct ScanLineOptions {
   double bearing_sigma_rad = 0.002;  ///< noise of a beam's direction, [0, 0.1]
   double split_distance_m = 0.07;    ///< points farther from a line than this are not of it, (0, 1]
   double max_gap_m = 0.35;           ///< a hole this wide between neighbours ends a line, (0, 100]
-  double min_length_m = 0.25;         ///< shorter pieces are no lines, (0, 100]
+  double min_length_m = 0.25;        ///< shorter pieces are no lines, (0, 100]
   std::uint32_t min_points = 5;      ///< pieces of fewer points are no lines, >= 3
   double angle_floor_rad = 0.005;    ///< error that no number of points averages away, [0, 0.1]
   double offset_floor_m = 0.01;      ///< the same for the offset, [0, 1]
@@ -44,8 +44,8 @@ struct ScanLine {
   double residual_m = 0;      ///< root mean square distance of its points
   double x0_m = 0, y0_m = 0;  ///< the ends, on the line; the floor is on the left of the way from 0 to 1
   double x1_m = 0, y1_m = 0;
-  std::uint32_t first_beam = 0;  ///< at end 1: the beams turn counter-clockwise, in a circle past the seam
-  std::uint32_t last_beam = 0;
+  std::uint32_t first_beam = 0;  ///< at end 0; in a circle it may be the greater number
+  std::uint32_t last_beam = 0;   ///< at end 1
   std::uint32_t points = 0;
 };
 
