@@ -8,7 +8,7 @@
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libtinyxml2-dev libstb-dev libpng-dev
-  libyaml-cpp-dev libcli11-dev nlohmann-json3-dev)
+  zlib1g-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev)
 case "${1:-tests}" in
   program) ;;
   tests) packages+=(binutils ccache catch2 clang libbenchmark-dev libxml2-utils) ;;
