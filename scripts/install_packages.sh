@@ -10,7 +10,7 @@
 set -euo pipefail
 
 packages=(g++ cmake ninja-build pkg-config libeigen3-dev libtinyxml2-dev libstb-dev libpng-dev
-  libyaml-cpp-dev libcli11-dev nlohmann-json3-dev)
+  zlib1g-dev libyaml-cpp-dev libcli11-dev nlohmann-json3-dev)
 tests=(binutils ccache catch2 clang libbenchmark-dev libxml2-utils
   gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib libnewlib-arm-none-eabi qemu-system-arm)
 # Clang's library for WebAssembly comes in versions: the newest of Debian 12, and that of Ubuntu 24.04.

@@ -28,6 +28,7 @@ Command add_edges_command(CLI::App& program);
 Command add_explain_command(CLI::App& program);
 Command add_hough_command(CLI::App& program);
 Command add_lines_command(CLI::App& program);
+Command add_localize_command(CLI::App& program);
 Command add_merge_command(CLI::App& program);
 Command add_planes_command(CLI::App& program);
 Command add_show_command(CLI::App& program);

@@ -27,7 +27,10 @@ constexpr const char* all_names[] = {
     "depth.png", "inverse-depth.png", "cells-32.png", "cells-16.png", "cells-8.png", "cells-4.png",
     "window.png", "hypotheses.png", "first-triple.png", "best-triple.png", "refitted.png", "boxes.png",
     "patches.png", "distances.png", "candidates.png", "cell-labels-32.png", "cell-labels-16.png",
-    "cell-labels-8.png", "cell-labels-4.png", "labels.png", "residuals.png", "map.svg"};
+    "cell-labels-8.png", "cell-labels-4.png", "labels.png", "residuals.png", "map.svg",
+    // Of laser scans.
+    "readings.svg", "scan-lines.svg", "matches.svg", "pose.svg", "search-1.svg", "search-2.svg",
+    "search-3.svg", "search-4.svg"};
 
 /// Half of the pictures have no colour, and one channel is encoded three times as fast.
 Result<std::string> encode(const Image<Rgb>& picture) {

@@ -50,10 +50,10 @@ int run_command(const Command& command) try {
 }
 
 int run_commands(CLI::App& program, int argument_count, char** arguments) {
-  const std::vector<Command> commands = {add_edges_command(program),    add_hough_command(program),
-                                         add_explain_command(program),  add_lines_command(program),
-                                         add_planes_command(program),   add_show_command(program),
-                                         add_validate_command(program), add_merge_command(program)};
+  const std::vector<Command> commands = {
+      add_edges_command(program), add_hough_command(program),    add_explain_command(program),
+      add_lines_command(program), add_planes_command(program),   add_localize_command(program),
+      add_show_command(program),  add_validate_command(program), add_merge_command(program)};
   try {
     program.parse(argument_count, arguments);
   } catch (const CLI::CallForHelp&) {
@@ -79,7 +79,8 @@ std::string version_text() {
 int run_program(int argument_count, char** arguments) try {
   // A reader that leaves early shall give a sentence, not a silent end.
   std::signal(SIGPIPE, SIG_IGN);
-  CLI::App program("Line maps from images, plane maps from depth frames.", "straightedge");
+  CLI::App program("Line maps from images, plane maps from depth frames, robots found in line maps.",
+                   "straightedge");
   program.set_version_flag("--version", version_text(), "print the version and leave");
   program.formatter(std::make_shared<HelpFormat>());
   program.require_subcommand(1);

@@ -7,8 +7,8 @@
 
 namespace {
 
-const std::vector<std::string> commands = {"edges",  "hough", "lines", "explain",
-                                           "planes", "merge", "show",  "validate"};
+const std::vector<std::string> commands = {"edges",    "hough", "lines", "explain", "planes",
+                                           "localize", "merge", "show",  "validate"};
 
 struct HelpOption {
   std::string name;   ///< "--low"
@@ -58,7 +58,8 @@ TEST_CASE("every option is in the help with its unit and default") {
   const std::set<std::string> without_default = {
       "--output",      "--svg",     "--png",           "--csv",    "--name",
       "--description", "--created", "--labels",        "--ply",    "--ply-polygons",
-      "--html",        "--leaves",  "--leaves-output", "--camera", "--trajectory"};
+      "--html",        "--leaves",  "--leaves-output", "--camera", "--trajectory",
+      "--covariance",  "--truth",   "--explain",       "--start",  "--laser"};
   for (const std::string& command : commands) {
     const auto options = options_of(run_program({command, "--help"}).out);
     std::set<std::string> names;

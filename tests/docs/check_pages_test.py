@@ -62,7 +62,7 @@ class CheckPages(unittest.TestCase):
             self.assertNotEqual(wrong, PAGE)
             self.assertTrue(self.troubles(wrong), wrong)
         self.assertTrue(self.troubles(header=HEADER.replace("1.4", "1.6")))
-        self.assertTrue(self.troubles(picture=b"x" * 1_600_000))
+        self.assertTrue(self.troubles(picture=b"x" * (check_pages.MOST_PICTURE_BYTES + 1)))
 
 
 if __name__ == "__main__":

@@ -24,8 +24,9 @@ const std::map<std::string, Names> may_include = {
     {"octree", {"base"}},
     {"host", {"base", "canny", "fit", "hough", "ransac", "octree"}},
     {"map", {"base", "canny", "fit", "hough", "ransac", "octree", "host"}},
+    {"localize", {"base", "fit", "hough", "ransac", "map", "host"}},
     {"io", {"base", "canny", "fit", "map", "host"}},
-    {"cli", {"base", "canny", "fit", "hough", "ransac", "octree", "host", "map", "io"}},
+    {"cli", {"base", "canny", "fit", "hough", "ransac", "octree", "host", "map", "localize", "io"}},
 };
 const Names core_modules = {"base", "canny", "fit", "hough", "ransac", "octree"};
 
