@@ -2,4 +2,4 @@
 # SPDX-License-Identifier: MIT
 
 # The folders whose tests need nothing but the core, on a computer and on an emulated board.
-set(core_modules base canny fit hough ransac octree)
+set(core_modules base canny fit hough ransac octree workspace)

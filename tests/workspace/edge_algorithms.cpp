@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+
+#include "algorithms.hpp"
+#include "inputs.hpp"
+#include "straightedge/gray.hpp"
+
+namespace workspace {
+namespace {
+
+Size size() {
+  return gray_picture().size();
+}
+
+Status run_gray(CallerMemory& memory) {
+  // Three bytes a pixel.
+  const auto bytes = memory.input(gray_picture());
+  const Size third{bytes.width / 3, bytes.height};
+  return gray_from_color({bytes.data, third.width, third.height, bytes.stride, PixelFormat::bgr},
+                         memory.output<std::uint8_t>(third));
+}
+
+Status run_gaussian(CallerMemory& memory) {
+  std::uint16_t taps[7] = {};
+  if (make_gaussian_kernel(1.2, taps) != Status::ok) return Status::invalid_option;
+  Arena needed = Arena::measure();
+  GaussianScratch::take(needed, size().width, 7);
+  Arena arena(memory.workspace(needed.used()));
+  const GaussianScratch scratch = GaussianScratch::take(arena, size().width, 7);
+  return gaussian_blur(memory.input(gray_picture()), taps, Border::reflect_101, scratch,
+                       memory.output<std::uint8_t>(size()));
+}
+
+Status run_sobel(CallerMemory& memory) {
+  Arena needed = Arena::measure();
+  SobelScratch::take(needed, size().width, 5);
+  Arena arena(memory.workspace(needed.used()));
+  const SobelScratch scratch = SobelScratch::take(arena, size().width, 5);
+  return sobel(memory.input(gray_picture()), 5, Border::replicate, GradientScale::clamp, scratch,
+               memory.output<std::int16_t>(size()), memory.output<std::int16_t>(size()));
+}
+
+Status run_magnitude(CallerMemory& memory) {
+  return gradient_magnitude(memory.input(edges().dx), memory.input(edges().dy), GradientNorm::l2,
+                            memory.output<std::int32_t>(size()));
+}
+
+Status run_thresholds(CallerMemory& memory) {
+  const auto found = automatic_thresholds(memory.input(edges().magnitude), GradientNorm::l1, 3);
+  memory.say({found.thresholds.high, found.thresholds.low, found.median * 1.0});
+  return found.status;
+}
+
+Status run_suppress(CallerMemory& memory) {
+  return suppress_non_maxima(memory.input(edges().dx), memory.input(edges().dy),
+                             memory.input(edges().magnitude), 50, 150, memory.output<std::uint8_t>(size()));
+}
+
+Status run_hysteresis(CallerMemory& memory) {
+  Image<std::uint8_t> classes(size());
+  REQUIRE(suppress_non_maxima(edges().dx.view(), edges().dy.view(), edges().magnitude.view(), 50, 150,
+                              classes.view()) == Status::ok);
+  Arena needed = Arena::measure();
+  needed.take<std::uint32_t>(hysteresis_stack_size(size()));
+  Arena arena(memory.workspace(needed.used()));
+  const auto result =
+      hysteresis(memory.input(classes), arena.take<std::uint32_t>(hysteresis_stack_size(size())),
+                 memory.output<std::uint8_t>(size()));
+  memory.say({result.edges * 1.0, result.strong * 1.0});
+  return result.status;
+}
+
+Status run_canny(CallerMemory& memory) {
+  const CannyOptions options{.thresholds = CannyThresholds::automatic};
+  Canny canny;
+  const Status prepared =
+      Canny::prepare(canny, size(), options, memory.workspace(Canny::workspace_bytes(size(), options)));
+  const auto result = canny.run(memory.input(gray_picture()), memory.output<std::uint8_t>(size()));
+  memory.say({result.edges * 1.0, result.strong * 1.0, result.low, result.high});
+  return whole(prepared, result.status);
+}
+
+constexpr Algorithm algorithms[] = {
+    {"gray", run_gray},
+    {"gaussian", run_gaussian},
+    {"sobel", run_sobel},
+    {"magnitude", run_magnitude},
+    {"thresholds", run_thresholds},
+    {"suppress", run_suppress},
+    {"hysteresis", run_hysteresis},
+    {"canny", run_canny},
+};
+
+}  // namespace
+
+std::span<const Algorithm> edge_algorithms() {
+  return algorithms;
+}
+
+}  // namespace workspace
