@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
 
-// Between the reset handler, which knows of programs without a C library alone, and Catch2, which wants all of
-// it.
+// What Catch2 needs and the reset handler does not give: the C library's heap and files, and constructors of
+// globals.
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 
