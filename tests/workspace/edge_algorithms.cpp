@@ -4,6 +4,8 @@
 
 #include "algorithms.hpp"
 #include "inputs.hpp"
+#include "straightedge/canny_fused.hpp"
+#include "straightedge/canny_rows.hpp"
 #include "straightedge/gray.hpp"
 
 namespace workspace {
@@ -81,6 +83,35 @@ Status run_canny(CallerMemory& memory) {
   return whole(prepared, result.status);
 }
 
+/// So short that the flood fill must sweep again.
+constexpr CannyRowOptions short_worklist{.worklist = 3};
+
+Status run_fused_canny(CallerMemory& memory) {
+  FusedCanny canny;
+  const std::size_t bytes = FusedCanny::workspace_bytes(size(), {}, short_worklist);
+  const Status prepared = FusedCanny::prepare(canny, size(), {}, memory.workspace(bytes), short_worklist);
+  const auto result = canny.run(memory.input(gray_picture()), memory.output<std::uint8_t>(size()));
+  memory.say({result.edges * 1.0, result.strong * 1.0});
+  return whole(prepared, result.status);
+}
+
+Status run_canny_rows(CallerMemory& memory) {
+  CannyRows canny;
+  const std::size_t bytes = CannyRows::workspace_bytes(size(), {}, short_worklist);
+  const Status prepared = CannyRows::prepare(canny, size(), {}, memory.workspace(bytes), short_worklist);
+  const GrayView gray = memory.input(gray_picture());
+  const auto found = memory.output<std::uint8_t>(size());
+  const auto width = static_cast<std::size_t>(size().width);
+  Status status = canny.begin();
+  for (int y = 0; y < size().height && status == Status::ok; ++y)
+    status = canny.push_row({gray.row(y), width});
+  if (status == Status::ok) status = canny.finish().status;
+  for (int y = 0; y < size().height && status == Status::ok; ++y) {
+    status = canny.read_row(y, {found.row(y), width});
+  }
+  return whole(prepared, status);
+}
+
 constexpr Algorithm algorithms[] = {
     {"gray", run_gray},
     {"gaussian", run_gaussian},
@@ -90,6 +121,8 @@ constexpr Algorithm algorithms[] = {
     {"suppress", run_suppress},
     {"hysteresis", run_hysteresis},
     {"canny", run_canny},
+    {"fused canny", run_fused_canny},
+    {"canny rows", run_canny_rows},
 };
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <cstdint>
 
 #include "straightedge/canny.hpp"
+#include "straightedge/canny_fused.hpp"
+#include "straightedge/canny_rows.hpp"
 #include "straightedge/frame_planes.hpp"
 #include "straightedge/hough_lines.hpp"
 #include "straightedge/hough_plane_patches.hpp"
@@ -30,6 +32,10 @@ TEST_CASE("pictures of more pixels than a workspace can be for are refused") {
     INFO(size.width << " x " << size.height);
     Canny canny;
     CHECK(Canny::prepare(canny, size, {}, workspace) != Status::ok);
+    FusedCanny fused;
+    CHECK(FusedCanny::prepare(fused, size, {}, workspace) != Status::ok);
+    CannyRows rows;
+    CHECK(CannyRows::prepare(rows, size, {}, workspace) != Status::ok);
     FramePlanes frame;
     CHECK(frame.prepare(size, {}, workspace) != Status::ok);
     RansacSearch search;

@@ -216,14 +216,15 @@ Status run_plane_peaks(CallerMemory& memory) {
 }
 
 /// Proposes the walls of the box.
-std::uint32_t propose_walls(void*, ImageView<const float>, ImageView<const std::uint16_t>,
-                            const PinholeCamera& seen_by, std::span<ProposedPlane> out) noexcept {
-  std::uint32_t count = 0;
+Status propose_walls(void*, ImageView<const float>, ImageView<const std::uint16_t>,
+                     const PinholeCamera& seen_by, std::span<ProposedPlane> out,
+                     std::uint32_t& count) noexcept {
+  count = 0;
   for (const Plane& wall : support::box_planes()) {
     out[count] = {};
     out[count++].fit.plane = to_inverse_depth(wall, seen_by);
   }
-  return count;
+  return Status::ok;
 }
 
 Status run_frame_planes(CallerMemory& memory) {
