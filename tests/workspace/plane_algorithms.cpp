@@ -33,8 +33,12 @@ void say(CallerMemory& memory, std::span<const FoundPlane> planes) {
   }
 }
 
-void say(CallerMemory& memory, const InverseDepthFit& fit) {
-  memory.say({fit.plane.a, fit.plane.b, fit.plane.c, fit.n, fit.rms, fit.covariance[0]});
+void say(CallerMemory& memory, std::span<const ProposedPlane> planes) {
+  for (const ProposedPlane& found : planes) {
+    const InverseDepthFit& fit = found.fit;
+    memory.say({fit.plane.a, fit.plane.b, fit.plane.c, fit.n, fit.rms, fit.covariance[0], found.score,
+                found.readings * 1.0, found.column0 * 1.0, found.row1 * 1.0});
+  }
 }
 
 /// The walls of the box, as if found.
@@ -104,16 +108,13 @@ Status run_ransac_search(CallerMemory& memory) {
   RansacSearch search;
   const Status prepared = RansacSearch::prepare(
       search, size(), options, memory.workspace(RansacSearch::workspace_bytes(size(), options)));
-  const auto candidates = memory.list<PlaneCandidate>(64);
+  const auto candidates = memory.list<ProposedPlane>(64);
   Image<std::uint16_t> mask(size());
   mask.at(40, 40) = 1;
   const auto result = search.run(memory.input(inverse_depth()), memory.input(mask), candidates);
   memory.say({result.candidates * 1.0, result.readings * 1.0, result.explained * 1.0, result.noise,
               result.draws * 1.0});
-  for (const PlaneCandidate& candidate : candidates.first(result.candidates)) {
-    say(memory, candidate.fit);
-    memory.say({candidate.score, candidate.cells * 1.0, candidate.column0 * 1.0, candidate.row1 * 1.0});
-  }
+  say(memory, candidates.first(result.candidates));
   return whole(prepared, result.status);
 }
 
@@ -180,15 +181,12 @@ Status run_hough_patches(CallerMemory& memory) {
   HoughPatchSearch search;
   const Status prepared = HoughPatchSearch::prepare(
       search, size(), options, memory.workspace(HoughPatchSearch::workspace_bytes(size(), options)));
-  const auto candidates = memory.list<HoughPlaneCandidate>(20);
+  const auto candidates = memory.list<ProposedPlane>(20);
   Image<std::uint16_t> mask(size());
   mask.at(40, 40) = 1;
-  const auto result = search.run(memory.input(inverse_depth()), camera(), {}, memory.input(mask), candidates);
+  const auto result = search.run(memory.input(inverse_depth()), camera(), memory.input(mask), candidates);
   memory.say({result.candidates * 1.0, result.readings * 1.0, result.patches * 1.0, result.votes * 1.0});
-  for (const HoughPlaneCandidate& candidate : candidates.first(result.candidates)) {
-    say(memory, candidate.fit);
-    memory.say({candidate.votes * 1.0, candidate.pixels * 1.0});
-  }
+  say(memory, candidates.first(result.candidates));
   return whole(prepared, result.status);
 }
 
