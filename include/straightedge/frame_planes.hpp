@@ -77,7 +77,8 @@ class FramePlanes {
  private:
   static constexpr Status check(Size size) noexcept {
     if (size.width < 1 || size.height < 1) return Status::invalid_image;
-    return DepthCells::cell_count(size) > std::size_t{1} << 28U ? Status::too_large : Status::ok;
+    // In 64 bits, which a microcontroller's size_t does not have.
+    return std::int64_t{size.width} * size.height > (1 << 28) ? Status::too_large : Status::ok;
   }
   constexpr void take(Arena& arena, Size size, const FramePlanesOptions& options) noexcept {
     size_ = size;

@@ -31,10 +31,10 @@ class HoughAccumulator {
   /// Direction cells times distance cells; 0 when an option is out of range or there are more than 2^28.
   static constexpr std::size_t cell_count(const HoughAccumulatorOptions& options) noexcept {
     if (options.distances < 1 || options.distances > 65536) return 0;
-    const auto directions =
-        static_cast<std::size_t>(HoughDirections::cell_count(options.cells, options.rows));
-    const std::size_t cells = directions * static_cast<std::size_t>(options.distances);
-    return cells > (std::size_t{1} << 28U) ? 0 : cells;
+    // In 64 bits, which a microcontroller's size_t does not have.
+    const auto cells =
+        std::int64_t{HoughDirections::cell_count(options.cells, options.rows)} * options.distances;
+    return cells > (1 << 28) ? 0 : static_cast<std::size_t>(cells);
   }
   constexpr void take(Arena& arena, const HoughAccumulatorOptions& options) noexcept {
     directions_.take(arena, options.cells, options.rows);

@@ -11,7 +11,7 @@ using namespace stages;
 namespace {
 
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Status prepare_with(const CannyOptions& options, Size size = {20, 10}) {
   std::vector<std::byte> workspace(100000);
@@ -70,7 +70,7 @@ TEST_CASE("options out of range are refused") {
   CHECK(prepare_with({.sigma = nan_value}) == Status::invalid_option);
   CHECK(prepare_with({.sigma = -1}) == Status::invalid_option);
   CHECK(prepare_with({.sigma = 50.001}) == Status::invalid_option);
-  CHECK(prepare_with({.sigma = infinity}) == Status::invalid_option);
+  CHECK(prepare_with({.sigma = infinite}) == Status::invalid_option);
   for (const int aperture : {-1, 0, 1, 2, 4, 6, 8, 9}) {
     CHECK(prepare_with({.aperture = aperture}) == Status::invalid_option);
   }
@@ -83,7 +83,7 @@ TEST_CASE("thresholds must be numbers in order") {
   CHECK(prepare_with({.low = 100, .high = 100}) == Status::ok);
   CHECK(prepare_with({.low = nan_value, .high = 100}) == Status::invalid_option);
   CHECK(prepare_with({.low = 1, .high = nan_value}) == Status::invalid_option);
-  CHECK(prepare_with({.low = -infinity, .high = infinity}) == Status::ok);
+  CHECK(prepare_with({.low = -infinite, .high = infinite}) == Status::ok);
   CHECK(prepare_with({.thresholds = CannyThresholds::automatic, .low = nan_value}) == Status::ok);
 }
 
@@ -91,12 +91,12 @@ TEST_CASE("huge thresholds are above every edge, negative ones act like 0") {
   Pcg32 random(13);
   const GrayImage gray = support::random_bytes({40, 30}, random);
   for (const GradientNorm norm : {GradientNorm::l1, GradientNorm::l2}) {
-    for (const double high : {1e6, 1e300, infinity}) {
+    for (const double high : {1e6, 1e300, infinite}) {
       CHECK(edges_of(gray, {.sigma = 0, .norm = norm, .low = 0, .high = high}) == GrayImage(gray.size()));
     }
     const GrayImage zero = edges_of(gray, {.sigma = 0, .norm = norm, .low = 0, .high = 0});
     CHECK_FALSE(zero == GrayImage(gray.size()));
-    CHECK(edges_of(gray, {.sigma = 0, .norm = norm, .low = -infinity, .high = -1}) == zero);
+    CHECK(edges_of(gray, {.sigma = 0, .norm = norm, .low = -infinite, .high = -1}) == zero);
   }
 }
 

@@ -11,7 +11,7 @@ using namespace stages;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 MagnitudeImage random_magnitudes(Size size, std::uint32_t bound, Pcg32& random) {
   MagnitudeImage image(size);
@@ -41,8 +41,8 @@ TEST_CASE("thresholds in the magnitude's units") {
   CHECK(l1(-7.5, 0).low == -8);
   CHECK(l1(1000, 1600.5, 7).low == 62);
   CHECK(l1(1000, 1600.5, 7).high == 100);
-  CHECK(l1(-infinity, infinity).low == INT32_MIN);
-  CHECK(l1(-infinity, infinity).high == INT32_MAX);
+  CHECK(l1(-infinite, infinite).low == INT32_MIN);
+  CHECK(l1(-infinite, infinite).high == INT32_MAX);
   const auto l2 = [](double low, double high, int aperture = 3) {
     return to_magnitude({low, high}, GradientNorm::l2, aperture);
   };
@@ -50,8 +50,8 @@ TEST_CASE("thresholds in the magnitude's units") {
   CHECK(l2(33.3, 99.9).high == 9980);
   CHECK(l2(-7.5, 0.5).low == -8);
   CHECK(l2(-7.5, 0.5).high == 0);
-  CHECK(l2(1e5, infinity).low == 32767 * 32767);
-  CHECK(l2(1e5, infinity).high == 32767 * 32767);
+  CHECK(l2(1e5, infinite).low == 32767 * 32767);
+  CHECK(l2(1e5, infinite).high == 32767 * 32767);
   CHECK(l2(1000, 1600, 7).low == 3906);
 }
 

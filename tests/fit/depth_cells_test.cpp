@@ -43,8 +43,8 @@ support::GuardedImage<float> random_depth(Size size, double holes, Pcg32& random
 
 InverseDepthMoments naive(ImageView<const float> image, int left, int top, int side) {
   InverseDepthMoments m;
-  for (int y = top; y < std::min(top + side, image.height); ++y) {
-    for (int x = left; x < std::min(left + side, image.width); ++x) {
+  for (int y = top; y < std::min<std::int32_t>(top + side, image.height); ++y) {
+    for (int x = left; x < std::min<std::int32_t>(left + side, image.width); ++x) {
       if (image.at(x, y) > 0) m.add(x, y, static_cast<double>(image.at(x, y)));
     }
   }
@@ -120,11 +120,11 @@ TEST_CASE("sum_up carries a change of the smallest cells to the larger ones") {
   Built built(size);
   built.cells.build(image.view());
   const Size cells = built.cells.size(0);
-  for (const int x : {0, 7, cells.width - 1}) {
+  for (const int x : {0, 7, int{cells.width} - 1}) {
     const int y = (x * 5) % cells.height;
     built.cells.level(0)[static_cast<std::size_t>(y * cells.width + x)] = {};
-    for (int j = 4 * y; j < std::min(4 * y + 4, size.height); ++j) {
-      for (int i = 4 * x; i < std::min(4 * x + 4, size.width); ++i) image.at(i, j) = 0;
+    for (int j = 4 * y; j < std::min<std::int32_t>(4 * y + 4, size.height); ++j) {
+      for (int i = 4 * x; i < std::min<std::int32_t>(4 * x + 4, size.width); ++i) image.at(i, j) = 0;
     }
   }
   CHECK(wrong_cells(built.cells, image.view()) > 0);

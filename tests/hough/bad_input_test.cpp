@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include <initializer_list>
 #include <limits>
 
 #include "hough_testing.hpp"
@@ -38,7 +39,7 @@ TEST_CASE("options that are no numbers or out of range are refused") {
                         &O::pair_min_distance, &O::confidence})
       CHECK(status_with(member, bad) == Status::invalid_option);
   }
-  for (const int bad : {0, -1, std::numeric_limits<int>::min()}) {
+  for (const std::int32_t bad : std::initializer_list<std::int32_t>{0, -1, INT32_MIN}) {
     CHECK(status_with(&O::threshold, bad) == Status::invalid_option);
     CHECK(status_with(&O::pair_threshold, bad) == Status::invalid_option);
   }

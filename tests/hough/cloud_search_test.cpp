@@ -47,7 +47,7 @@ TEST_CASE("clouds: labels, inliers and order fit together") {
     std::uint32_t labelled = 0;
     for (std::size_t i = 0; i < found.planes.size(); ++i) {
       const auto own = std::count(found.labels.begin(), found.labels.end(), i + 1);
-      CHECK(own == found.planes[i].inliers);
+      CHECK(static_cast<std::uint32_t>(own) == found.planes[i].inliers);
       CHECK(found.planes[i].score >= 3);
       CHECK(found.planes[i].iterations >= 1);
       if (i > 0) CHECK(found.planes[i].inliers <= found.planes[i - 1].inliers);

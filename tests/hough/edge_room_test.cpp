@@ -52,7 +52,7 @@ TEST_CASE("more edge pixels than there is room for is told, and nothing is writt
     INFO(static_cast<int>(options.method));
     const HoughFound all = hough_lines(image, options);
     REQUIRE(!all.segments.empty());
-    for (const std::uint32_t room : {1U, count / 2, count - 1}) {
+    for (const std::uint32_t room : {std::uint32_t{1}, count / 2, count - 1}) {
       options.max_edge_pixels = room;
       std::vector<std::byte> memory(HoughLines::workspace_bytes(size, options));
       HoughLines lines;

@@ -233,8 +233,9 @@ TEST_CASE("patches: what a run leaves behind: patches that tile, votes that coun
   Image<std::uint8_t> covered({320, 240}, std::uint8_t{0});
   double votes = 0;
   for (const HoughPatch& patch : found.search->patches()) {
-    for (std::int32_t y = patch.y; y < std::min(240, patch.y + patch.side); ++y) {
-      for (std::int32_t x = patch.x; x < std::min(320, patch.x + patch.side); ++x) ++covered.at(x, y);
+    for (std::int32_t y = patch.y; y < std::min<std::int32_t>(240, patch.y + patch.side); ++y) {
+      for (std::int32_t x = patch.x; x < std::min<std::int32_t>(320, patch.x + patch.side); ++x)
+        ++covered.at(x, y);
     }
     if (patch.votes) votes += hough_patch_vote * patch.moments->n;
   }

@@ -9,19 +9,19 @@ using namespace straightedge;
 namespace {
 
 const double not_a_number = std::nan("");
-constexpr double infinity = octree_unlimited;
+constexpr double infinite = octree_unlimited;
 
 }  // namespace
 
 TEST_CASE("prepare refuses bad options and too little memory") {
   std::vector<std::byte> memory(Octree::workspace_bytes(10, {}));
   Octree octree;
-  for (const double leaf : {0.0, -0.05, not_a_number, infinity, 1e-10, 1e36}) {
+  for (const double leaf : {0.0, -0.05, not_a_number, infinite, 1e-10, 1e36}) {
     const OctreeOptions options{.grid = {.leaf_m = leaf}};
     CHECK(Octree::workspace_bytes(10, options) == 0);
     CHECK(Octree::prepare(octree, 10, options, memory) == Status::invalid_option);
   }
-  for (const double bad : {not_a_number, infinity, -infinity, 1e43}) {
+  for (const double bad : {not_a_number, infinite, -infinite, 1e43}) {
     CHECK(Octree::prepare(octree, 10, {.grid = {.origin = {bad, 0, 0}}}, memory) == Status::invalid_option);
     CHECK(Octree::prepare(octree, 10, {.grid = {.origin = {0, bad, 0}}}, memory) == Status::invalid_option);
     CHECK(Octree::prepare(octree, 10, {.grid = {.origin = {0, 0, bad}}}, memory) == Status::invalid_option);
@@ -71,7 +71,7 @@ TEST_CASE("queries refuse what is not a number, and take what is only large") {
   test::Tree tree(4);
   REQUIRE(tree.octree.build(test::view({{0, 0, 0}, {1, 1, 1}})).status == Status::ok);
   OctreeNeighbour out;
-  for (const double bad : {not_a_number, infinity, -infinity, 1e101}) {
+  for (const double bad : {not_a_number, infinite, -infinite, 1e101}) {
     for (const Vector3& at : {Vector3{bad, 0, 0}, Vector3{0, bad, 0}, Vector3{0, 0, bad}}) {
       CHECK(tree.octree.nearest(at, out).status == Status::invalid_option);
       CHECK(tree.octree.k_nearest(at, {&out, 1}).status == Status::invalid_option);
@@ -79,22 +79,22 @@ TEST_CASE("queries refuse what is not a number, and take what is only large") {
       CHECK(tree.octree.ray({.origin = at, .direction = {1, 0, 0}}, {}).status == Status::invalid_option);
     }
   }
-  for (const double bad : {not_a_number, -1.0, -infinity}) {
+  for (const double bad : {not_a_number, -1.0, -infinite}) {
     CHECK(tree.octree.nearest({}, out, bad).status == Status::invalid_option);
     CHECK(tree.octree.k_nearest({}, {&out, 1}, bad).status == Status::invalid_option);
     CHECK(tree.octree.radius({}, bad, {&out, 1}).status == Status::invalid_option);
     CHECK(tree.octree.ray({.direction = {1, 0, 0}, .max_distance_m = bad}, {}).status ==
           Status::invalid_option);
   }
-  for (const Vector3& bad : {Vector3{}, Vector3{not_a_number, 0, 1}, Vector3{infinity, 0, 0}})
+  for (const Vector3& bad : {Vector3{}, Vector3{not_a_number, 0, 1}, Vector3{infinite, 0, 0}})
     CHECK(tree.octree.ray({.direction = bad}, {}).status == Status::invalid_option);
   CHECK(tree.octree.box({{0, 0, 0}, {-1, 1, 1}}, {}).status == Status::invalid_option);
   CHECK(tree.octree.box({{0, not_a_number, 0}, {1, 1, 1}}, {}).status == Status::invalid_option);
 
   REQUIRE(tree.octree.nearest({1e100, -1e100, 0}, out).found == 1);
   CHECK(out.squared_distance == 2e200);
-  CHECK(tree.octree.radius({}, infinity, {}).found == 2);
-  CHECK(tree.octree.box({{-infinity, -1, -1}, {infinity, 2, 2}}, {}).found == 2);
+  CHECK(tree.octree.radius({}, infinite, {}).found == 2);
+  CHECK(tree.octree.box({{-infinite, -1, -1}, {infinite, 2, 2}}, {}).found == 2);
   OctreeCrossing crossing;
   CHECK(tree.octree.first_hit({.origin = {-5, 0, 0}, .direction = {1e300, 1e-300, 0}}, crossing).found == 1);
   CHECK(crossing.enter_m == Approx(5));

@@ -52,9 +52,11 @@ inline Room room_by_chance(Pcg32& random) {
   const auto between = [&](double low, double high) {
     return low + (high - low) * random.below(1000) / 1000.0;
   };
+  // One statement a number: the order in which arguments are evaluated is the compiler's own.
   Room room;
   const double yaw = between(-0.3, 0.3);
-  room.planes.push_back(plane_of({0.02, 1, between(-0.1, 0.1)}, between(1.0, 1.3)));
+  const double floor = between(1.0, 1.3), tilt = between(-0.1, 0.1);
+  room.planes.push_back(plane_of({0.02, 1, tilt}, floor));
   room.planes.push_back(plane_of({yaw, 0.02, 1}, between(2.8, 3.5)));
   room.planes.push_back(plane_of({1, 0.02, -yaw}, between(1.2, 1.6)));
   const double turn = between(0.3, 0.6);
