@@ -84,7 +84,7 @@ class Follower {
   void explain(std::size_t scan, const LocalizeResult& result) {
     const std::size_t number = *options_.explain_scan;
     const bool this_one =
-        number == 0 ? result.has_pose && result.match_counts.matched > 0 : scan + 1 == number;
+        number == 0 ? latest_.expected && result.match_counts.matched > 0 : scan + 1 == number;
     if (!this_one && had_pose_) {
       run_.explained.clear();  // an earlier search
       return;
