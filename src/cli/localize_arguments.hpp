@@ -40,7 +40,7 @@ class LocalizeArguments {
   std::string svg;
   std::string truth;
   std::string explain;
-  std::uint64_t explain_scan = 0;  ///< from 1; 0: the first that matched lines
+  std::uint64_t explain_scan = 0;  ///< from 1; 0: the first that was expected somewhere and matched lines
 
  private:
   void add_files(CLI::App& command);

@@ -45,8 +45,7 @@ class ScanPage {
  private:
   void tell_search() {
     const auto& all = story_.run.explained;
-    const bool ends_here = all.back().result.match_counts.matched > 0;
-    const std::size_t scans = all.size() - (ends_here ? 1 : 0);
+    const std::size_t scans = all.size() - (all.back().expected ? 1 : 0);
     if (scans == 0) return;
     io::HtmlSection section{"search", "Search without a start", {}, {}, {}, {}, {}};
     section.paragraphs = {

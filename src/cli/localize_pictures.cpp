@@ -95,9 +95,11 @@ FloorDrawing lines_drawing(const LocalizeStory& story, const ExplainedScan& scan
 
 FloorDrawing matches_drawing(const LocalizeStory& story, const ExplainedScan& scan) {
   const Pose2 from = scan.expected.value_or(scan.result.pose);
-  FloorDrawing drawing = scan_drawing(story, scan, "from where the robot is expected", from);
+  const char* const title =
+      scan.expected ? "from where the robot is expected" : "from where the search has found the robot";
+  FloorDrawing drawing = scan_drawing(story, scan, title, from);
   add_matches(drawing, scan.result, from);
-  drawing.marks.push_back({FloorRobot::expected, from, {}});
+  drawing.marks.push_back({scan.expected ? FloorRobot::expected : FloorRobot::pose, from, {}});
   return drawing;
 }
 

@@ -54,14 +54,21 @@ class Follower {
       run_.events.push_back({result.has_pose, scan});
       if (!result.has_pose) ++run_.lost_times;
     }
-    if (wanted_) explain(scan, result);
+    if (wanted_) {
+      latest_ = {scan, result, expected_at(scan)};
+      explain(scan, result);
+    }
     if (result.has_pose) note_pose(scan, result);
     had_pose_ = result.has_pose;
     before_ = result.has_pose ? std::optional(result.pose) : std::nullopt;
     odometry_before_ = logged.odometry;
   }
 
-  LocalizeRun take() { return std::move(run_); }
+  LocalizeRun take() {
+    // A scan such as the one that was asked for never came.
+    if (wanted_ && run_.explained.empty()) run_.explained.push_back(std::move(latest_));
+    return std::move(run_);
+  }
 
  private:
   void note_pose(std::size_t scan, const LocalizeResult& result) {
@@ -77,13 +84,13 @@ class Follower {
   void explain(std::size_t scan, const LocalizeResult& result) {
     const std::size_t number = *options_.explain_scan;
     const bool this_one =
-        number == 0 ? result.has_pose && result.match_counts.matched > 0 : scan + 1 == number;
+        number == 0 ? latest_.expected && result.match_counts.matched > 0 : scan + 1 == number;
     if (!this_one && had_pose_) {
       run_.explained.clear();  // an earlier search
       return;
     }
     if (!this_one && run_.explained.size() == most_search_scans) run_.explained.pop_back();
-    run_.explained.push_back({scan, result, expected_at(scan)});
+    run_.explained.push_back(latest_);
     wanted_ = !this_one;
   }
 
@@ -99,6 +106,7 @@ class Follower {
   LocalizeRun run_;
   std::size_t thinning_ = 1;
   bool wanted_ = false;
+  ExplainedScan latest_;
   bool had_pose_ = false;
   std::optional<Pose2> before_, odometry_before_;
 };

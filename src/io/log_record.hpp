@@ -71,7 +71,7 @@ class LogRecord {
     std::vector<float> all;
     all.reserve(std::min(count, rest_.size() / 2 + 1));  // a range has a digit and a blank
     for (std::size_t i = 0; i < count; ++i) {
-      constexpr double most = std::numeric_limits<float>::max();
+      constexpr auto most = static_cast<double>(std::numeric_limits<float>::max());
       const double range = any_number("range");
       const double within = std::abs(range) <= most ? range : std::numeric_limits<double>::infinity();
       all.push_back(static_cast<float>(std::isnan(range) ? range : within));

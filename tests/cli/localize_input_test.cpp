@@ -90,6 +90,8 @@ TEST_CASE("a robot that sees nothing is not found: an empty trajectory and a sen
   CHECK(without_comments(folder.file("c.txt")).empty());
   CHECK(bytes_of(folder.file("r.svg")).find("class=\"way\"") == std::string::npos);
   CHECK_FALSE(bytes_of(folder.file("ex/index.html")).empty());
+  localize(folder, blind, {"--start", "0 0 0", "--explain", folder.file("ex2")});
+  CHECK(bytes_of(folder.file("ex2/index.html")).find("Scan 2 of blind.txt") != std::string::npos);
   const auto numbers = numbers_of(folder, blind, {"--quiet", "--truth", truth});
   CHECK(numbers["poses"] == 0);
   CHECK(numbers["events"].empty());

@@ -171,7 +171,8 @@ TEST_CASE("the drawings show what happened") {
     CHECK(svg.find(part_of) != std::string::npos);
   CHECK(svg.find("class=\"lost\"") == std::string::npos);
   const std::string page = bytes_of(folder.file("ex/index.html"));
-  for (const char* name : {"search-1.svg", "readings.svg", "scan-lines.svg", "matches.svg", "pose.svg"}) {
+  for (const char* name :
+       {"search-1.svg", "search-2.svg", "readings.svg", "scan-lines.svg", "matches.svg", "pose.svg"}) {
     CHECK(page.find(std::string("src=\"") + name) != std::string::npos);
     CHECK(bytes_of(folder.file(std::string("ex/") + name)).starts_with("<svg"));
   }
