@@ -62,6 +62,7 @@ class FusedCanny {
   struct Memory {
     detail::CannyRowMemory rows;
     std::span<std::uint32_t> worklist;
+    std::span<std::uint8_t> class_row;
 
     static constexpr Memory take(Arena& arena, Size size, const CannyOptions& options,
                                  const CannyRowOptions& rows) noexcept {
@@ -69,6 +70,7 @@ class FusedCanny {
       Memory memory;
       memory.rows = detail::CannyRowMemory::take(arena, size, options);
       memory.worklist = arena.take<std::uint32_t>(std::min<std::size_t>(rows.worklist, pixels));
+      memory.class_row = arena.take<std::uint8_t>(detail::in_row_steps(static_cast<std::size_t>(size.width)));
       return memory;
     }
   };
@@ -78,6 +80,7 @@ class FusedCanny {
   CannyOptions options_;
   detail::CannyRowRecipe recipe_;
   std::span<std::uint32_t> worklist_;
+  std::span<std::uint8_t> class_row_;
 };
 
 }  // namespace straightedge

@@ -40,6 +40,7 @@ Status FusedCanny::prepare(FusedCanny& canny, Size size, const CannyOptions& opt
   canny.size_ = size;
   canny.options_ = options;
   canny.worklist_ = memory.worklist;
+  canny.class_row_ = memory.class_row;
   canny.prepared_ = true;
   detail::CannyRowRecipe::prepare(canny.recipe_, size, options, *rows.kernels, memory.rows);
   return make_gaussian_kernel(options.sigma, memory.rows.taps);
@@ -54,7 +55,8 @@ CannyResult FusedCanny::run(GrayView gray, ImageView<std::uint8_t> edges) noexce
   recipe_.begin();
   for (std::int32_t y = 0; y < size_.height; ++y) {
     recipe_.push(gray.row(y));
-    while (recipe_.next(edges.row(recipe_.rows_out()))) {
+    while (recipe_.next(class_row_.data())) {
+      std::memcpy(edges.row(recipe_.rows_out() - 1), class_row_.data(), static_cast<std::size_t>(size_.width));
     }
   }
 

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <emmintrin.h>
+
+#include <cstdint>
+#include <cstring>
+
+// SSE2, which every 64-bit x86 processor has: 128 bits.
+namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
+
+struct Lanes16 {
+  static constexpr std::int32_t count = 8;
+  using Mask = __m128i;
+  __m128i v;
+
+  static Lanes16 all(std::int32_t value) noexcept { return {_mm_set1_epi16(static_cast<short>(value))}; }
+  static Lanes16 load(const void* numbers) noexcept {
+    return {_mm_loadu_si128(static_cast<const __m128i*>(numbers))};
+  }
+  static Lanes16 load_gradient(const std::int16_t* numbers) noexcept { return load(numbers); }
+  static Lanes16 load_bytes(const std::uint8_t* bytes) noexcept {
+    const __m128i eight = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(bytes));
+    return {_mm_unpacklo_epi8(eight, _mm_setzero_si128())};
+  }
+  void store(void* numbers) const noexcept { _mm_storeu_si128(static_cast<__m128i*>(numbers), v); }
+
+  Lanes16 operator+(Lanes16 b) const noexcept { return {_mm_add_epi16(v, b.v)}; }
+  Lanes16 operator-(Lanes16 b) const noexcept { return {_mm_sub_epi16(v, b.v)}; }
+  Lanes16 operator*(Lanes16 b) const noexcept { return {_mm_mullo_epi16(v, b.v)}; }
+  Lanes16 operator^(Lanes16 b) const noexcept { return {_mm_xor_si128(v, b.v)}; }
+  Mask operator>(Lanes16 b) const noexcept { return _mm_cmpgt_epi16(v, b.v); }
+  Mask negative() const noexcept { return _mm_srai_epi16(v, 15); }
+  Lanes16 magnitude() const noexcept { return {_mm_max_epi16(v, _mm_sub_epi16(_mm_setzero_si128(), v))}; }
+  Lanes16 times_high(std::int32_t factor) const noexcept { return {_mm_mulhi_epu16(v, all(factor).v)}; }
+};
+
+struct Lanes32 {
+  static constexpr std::int32_t count = 4;
+  using Mask = __m128i;
+  __m128i v;
+
+  static Lanes32 all(std::int32_t value) noexcept { return {_mm_set1_epi32(value)}; }
+  static Lanes32 load(const void* numbers) noexcept {
+    return {_mm_loadu_si128(static_cast<const __m128i*>(numbers))};
+  }
+  static Lanes32 load_gradient(const std::int16_t* numbers) noexcept {
+    const __m128i four = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers));
+    return {_mm_srai_epi32(_mm_unpacklo_epi16(four, four), 16)};
+  }
+
+  Lanes32 operator+(Lanes32 b) const noexcept { return {_mm_add_epi32(v, b.v)}; }
+  Lanes32 operator-(Lanes32 b) const noexcept { return {_mm_sub_epi32(v, b.v)}; }
+  Lanes32 operator^(Lanes32 b) const noexcept { return {_mm_xor_si128(v, b.v)}; }
+  Mask operator>(Lanes32 b) const noexcept { return _mm_cmpgt_epi32(v, b.v); }
+  Mask negative() const noexcept { return _mm_srai_epi32(v, 31); }
+  Lanes32 magnitude() const noexcept {
+    return {_mm_sub_epi32(_mm_xor_si128(v, negative()), negative())};
+  }
+  Lanes32 times_high(std::int32_t factor) const noexcept {
+    return {_mm_srli_epi32(_mm_madd_epi16(v, all(factor).v), 16)};
+  }
+};
+
+inline Lanes16 max(Lanes16 a, Lanes16 b) noexcept {
+  return {_mm_max_epi16(a.v, b.v)};
+}
+template <class Lanes>
+Lanes select(__m128i mask, Lanes yes, Lanes no) noexcept {
+  return {_mm_or_si128(_mm_and_si128(mask, yes.v), _mm_andnot_si128(mask, no.v))};
+}
+inline Lanes32 max(Lanes32 a, Lanes32 b) noexcept {
+  return select(a > b, a, b);
+}
+inline __m128i both(__m128i a, __m128i b) noexcept {
+  return _mm_and_si128(a, b);
+}
+inline bool any(__m128i mask) noexcept {
+  return _mm_movemask_epi8(mask) != 0;
+}
+
+/// dx² + dy², two 16-bit numbers at once, in the order of the lanes.
+inline void store_squares(Lanes16 dx, Lanes16 dy, std::uint32_t* sums) noexcept {
+  const __m128i low = _mm_unpacklo_epi16(dx.v, dy.v), high = _mm_unpackhi_epi16(dx.v, dy.v);
+  const __m128i a = _mm_madd_epi16(low, low), b = _mm_madd_epi16(high, high);
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(sums), a);
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(sums + 4), b);
+}
+
+/// A byte a lane: 0, 1 where `kept`, 2 where `strong` too.
+inline void store_classes(Lanes16, __m128i kept, __m128i strong, std::uint8_t* classes) noexcept {
+  const __m128i numbers = _mm_sub_epi16(_mm_setzero_si128(), _mm_add_epi16(kept, strong));
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(classes), _mm_packus_epi16(numbers, numbers));
+}
+inline void store_classes(Lanes32, __m128i kept, __m128i strong, std::uint8_t* classes) noexcept {
+  const __m128i numbers = _mm_sub_epi32(_mm_setzero_si128(), _mm_add_epi32(kept, strong));
+  const __m128i words = _mm_packs_epi32(numbers, numbers);
+  const std::int32_t four = _mm_cvtsi128_si32(_mm_packus_epi16(words, words));
+  std::memcpy(classes, &four, sizeof four);
+}
+
+/// Without an instruction that counts bits: adds up bytes of 0 and 1.
+inline std::uint32_t count_of_bytes(__m128i mask) noexcept {
+  const __m128i sums = _mm_sad_epu8(_mm_and_si128(mask, _mm_set1_epi8(1)), _mm_setzero_si128());
+  return static_cast<std::uint32_t>(_mm_cvtsi128_si32(sums) + _mm_extract_epi16(sums, 4));
+}
+inline std::uint32_t count_of(Lanes16, __m128i mask) noexcept {
+  return count_of_bytes(mask) / 2;
+}
+inline std::uint32_t count_of(Lanes32, __m128i mask) noexcept {
+  return count_of_bytes(mask) / 4;
+}
+
+}  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
