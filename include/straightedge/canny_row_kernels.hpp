@@ -65,6 +65,15 @@ struct CannyRowKernels {
                                      std::uint8_t* classes, std::int32_t width) noexcept;
   Suppress<std::uint16_t> suppress_l1;
   Suppress<std::uint32_t> suppress_l2;
+
+  /// A row of classes as words of 64 pixels: 8 bytes with a bit for each that is weak or strong, 8 with one
+  /// for each that is strong, in the machine's order of bytes, the leftmost pixel in the lowest bit. Reads
+  /// classes up to the next multiple of 64.
+  void (*pack_classes)(const std::uint8_t* classes, std::uint8_t* words, std::int32_t width) noexcept;
+
+  /// The other way: 255 where the second bit of the pixel is set, else 0. Gives back how many are. `words`
+  /// may begin where `edges` does: works from the last word to the first.
+  std::uint32_t (*spread_edges)(const std::uint8_t* words, std::uint8_t* edges, std::int32_t width) noexcept;
 };
 
 /// Portable loops; what every other table is compared with.

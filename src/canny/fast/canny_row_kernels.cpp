@@ -20,6 +20,8 @@ constinit const CannyRowKernels STRAIGHTEDGE_TABLE(STRAIGHTEDGE_KERNEL_SET) = {
     .gradient_l2 = {set::gradient_l2_of_3, plain::gradient_l2<5>, plain::gradient_l2<7>},
     .suppress_l1 = set::suppress_l1,
     .suppress_l2 = set::suppress_l2,
+    .pack_classes = set::pack_classes,
+    .spread_edges = set::spread_edges,
 };
 
 }  // namespace straightedge

@@ -105,4 +105,37 @@ inline std::uint32_t count_of(Lanes32, __m256i mask) noexcept {
   return static_cast<std::uint32_t>(__builtin_popcount(bits));
 }
 
+inline std::uint64_t bits_above(const std::uint8_t* bytes, char limit) noexcept {
+  const __m256i limits = _mm256_set1_epi8(limit);
+  const __m256i left = _mm256_cmpgt_epi8(Lanes16::load(bytes).v, limits);
+  const __m256i right = _mm256_cmpgt_epi8(Lanes16::load(bytes + 32).v, limits);
+  const std::uint64_t high = static_cast<std::uint32_t>(_mm256_movemask_epi8(right));
+  return static_cast<std::uint32_t>(_mm256_movemask_epi8(left)) | (high << 32U);
+}
+
+/// A bit for each of 64 bytes that are 0, 1 or 2.
+inline std::uint64_t bits_above_0(const std::uint8_t* bytes) noexcept {
+  return bits_above(bytes, 0);
+}
+inline std::uint64_t bits_above_1(const std::uint8_t* bytes) noexcept {
+  return bits_above(bytes, 1);
+}
+
+inline void spread_half(std::uint32_t bits, std::uint8_t* bytes) noexcept {
+  const __m256i eight_each = _mm256_setr_epi64x(0, 0x0101010101010101, 0x0202020202020202, 0x0303030303030303);
+  const __m256i own_bit = _mm256_set1_epi64x(static_cast<long long>(0x8040201008040201U));
+  const __m256i copies = _mm256_shuffle_epi8(_mm256_set1_epi32(static_cast<int>(bits)), eight_each);
+  Lanes16{_mm256_cmpeq_epi8(_mm256_and_si256(copies, own_bit), own_bit)}.store(bytes);
+}
+
+/// The other way, with 255 where the bit is set.
+inline void spread_bits(std::uint64_t bits, std::uint8_t* bytes) noexcept {
+  spread_half(static_cast<std::uint32_t>(bits), bytes);
+  spread_half(static_cast<std::uint32_t>(bits >> 32U), bytes + 32);
+}
+
+inline std::uint32_t count_of(std::uint64_t bits) noexcept {
+  return static_cast<std::uint32_t>(__builtin_popcountll(bits));
+}
+
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET

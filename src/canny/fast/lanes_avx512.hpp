@@ -104,4 +104,21 @@ std::uint32_t count_of(Lanes, typename Lanes::Mask mask) noexcept {
   return static_cast<std::uint32_t>(__builtin_popcount(mask));
 }
 
+/// A bit for each of 64 bytes that are 0, 1 or 2.
+inline std::uint64_t bits_above_0(const std::uint8_t* bytes) noexcept {
+  return _mm512_test_epi8_mask(_mm512_loadu_si512(bytes), _mm512_set1_epi8(3));
+}
+inline std::uint64_t bits_above_1(const std::uint8_t* bytes) noexcept {
+  return _mm512_test_epi8_mask(_mm512_loadu_si512(bytes), _mm512_set1_epi8(2));
+}
+
+/// The other way, with 255 where the bit is set.
+inline void spread_bits(std::uint64_t bits, std::uint8_t* bytes) noexcept {
+  _mm512_storeu_si512(bytes, _mm512_movm_epi8(bits));
+}
+
+inline std::uint32_t count_of(std::uint64_t bits) noexcept {
+  return static_cast<std::uint32_t>(__builtin_popcountll(bits));
+}
+
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET

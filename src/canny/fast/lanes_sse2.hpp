@@ -112,4 +112,39 @@ inline std::uint32_t count_of(Lanes32, __m128i mask) noexcept {
   return count_of_bytes(mask) / 4;
 }
 
+inline std::uint64_t bits_above(const std::uint8_t* bytes, char limit) noexcept {
+  std::uint64_t bits = 0;
+  for (unsigned k = 0; k < 64; k += 16) {
+    const __m128i above = _mm_cmpgt_epi8(Lanes16::load(bytes + k).v, _mm_set1_epi8(limit));
+    bits |= static_cast<std::uint64_t>(_mm_movemask_epi8(above)) << k;
+  }
+  return bits;
+}
+
+/// A bit for each of 64 bytes that are 0, 1 or 2.
+inline std::uint64_t bits_above_0(const std::uint8_t* bytes) noexcept {
+  return bits_above(bytes, 0);
+}
+inline std::uint64_t bits_above_1(const std::uint8_t* bytes) noexcept {
+  return bits_above(bytes, 1);
+}
+
+/// The other way, with 255 where the bit is set.
+inline void spread_bits(std::uint64_t bits, std::uint8_t* bytes) noexcept {
+  const __m128i own_bit = _mm_set1_epi64x(static_cast<long long>(0x8040201008040201U));
+  for (unsigned k = 0; k < 64; k += 16) {
+    const __m128i two = _mm_cvtsi32_si128(static_cast<int>((bits >> k) & 0xFFFFU));
+    const __m128i pairs = _mm_unpacklo_epi8(two, two), fours = _mm_unpacklo_epi16(pairs, pairs);
+    const __m128i copies = _mm_unpacklo_epi32(fours, fours);
+    Lanes16{_mm_cmpeq_epi8(_mm_and_si128(copies, own_bit), own_bit)}.store(bytes + k);
+  }
+}
+
+inline std::uint32_t count_of(std::uint64_t bits) noexcept {
+  const std::uint64_t twos = bits - ((bits >> 1U) & 0x5555555555555555U);
+  const std::uint64_t fours = (twos & 0x3333333333333333U) + ((twos >> 2U) & 0x3333333333333333U);
+  const std::uint64_t bytes = (fours + (fours >> 4U)) & 0x0F0F0F0F0F0F0F0FU;
+  return static_cast<std::uint32_t>((bytes * 0x0101010101010101U) >> 56U);
+}
+
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
