@@ -12,8 +12,8 @@ namespace straightedge {
 /// Hysteresis in place, 64 pixels at a time, with a worklist of any size: `edges` of each word becomes what
 /// hangs together with it through `kept`.
 ///
-/// To grow a word is to add the kept pixels next to an edge, in the word itself or in the eight around it, and
-/// the runs of kept pixels that those belong to.
+/// To grow a word is to add the kept pixels next to an edge, in the word itself or in the eight around it,
+/// and the runs of kept pixels that those belong to.
 ///   1. Sweep down, left to right: grow every word.
 ///   2. Sweep up, right to left: grow every word. One that did grow goes onto the worklist.
 ///   3. Take a word from the worklist and grow the eight around it; those that did grow go onto the worklist.

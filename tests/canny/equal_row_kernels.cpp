@@ -107,7 +107,7 @@ void check_suppress(CannyRowKernels::Suppress<M> fast, CannyRowKernels::Suppress
     dy.data()[x] = gradient();
     if (dx.data()[x] == 0 && dy.data()[x] == 0) magnitude[1].data()[x] = 0;
   }
-  const int thresholds[] = {-1, 0, 1, static_cast<int>(random.below(values)), static_cast<int>(largest),
+  const int thresholds[] = {-1,       0, 1, static_cast<int>(random.below(values)), static_cast<int>(largest),
                             INT32_MAX};
   MagnitudeThresholds limits{thresholds[random.below(6)], thresholds[random.below(6)]};
   if (limits.low > limits.high) std::swap(limits.low, limits.high);

@@ -122,7 +122,8 @@ inline std::uint64_t bits_above_1(const std::uint8_t* bytes) noexcept {
 }
 
 inline void spread_half(std::uint32_t bits, std::uint8_t* bytes) noexcept {
-  const __m256i eight_each = _mm256_setr_epi64x(0, 0x0101010101010101, 0x0202020202020202, 0x0303030303030303);
+  const __m256i eight_each =
+      _mm256_setr_epi64x(0, 0x0101010101010101, 0x0202020202020202, 0x0303030303030303);
   const __m256i own_bit = _mm256_set1_epi64x(static_cast<long long>(0x8040201008040201U));
   const __m256i copies = _mm256_shuffle_epi8(_mm256_set1_epi32(static_cast<int>(bits)), eight_each);
   Lanes16{_mm256_cmpeq_epi8(_mm256_and_si256(copies, own_bit), own_bit)}.store(bytes);

@@ -15,9 +15,7 @@ struct Lanes16 {
   __m512i v;
 
   static Lanes16 all(std::int32_t value) noexcept { return {_mm512_set1_epi16(static_cast<short>(value))}; }
-  static Lanes16 load(const void* numbers) noexcept {
-    return {_mm512_loadu_si512(numbers)};
-  }
+  static Lanes16 load(const void* numbers) noexcept { return {_mm512_loadu_si512(numbers)}; }
   static Lanes16 load_gradient(const std::int16_t* numbers) noexcept { return load(numbers); }
   static Lanes16 load_bytes(const std::uint8_t* bytes) noexcept {
     return {_mm512_cvtepu8_epi16(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(bytes)))};
@@ -40,9 +38,7 @@ struct Lanes32 {
   __m512i v;
 
   static Lanes32 all(std::int32_t value) noexcept { return {_mm512_set1_epi32(value)}; }
-  static Lanes32 load(const void* numbers) noexcept {
-    return {_mm512_loadu_si512(numbers)};
-  }
+  static Lanes32 load(const void* numbers) noexcept { return {_mm512_loadu_si512(numbers)}; }
   static Lanes32 load_gradient(const std::int16_t* numbers) noexcept {
     return {_mm512_cvtepi16_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(numbers)))};
   }

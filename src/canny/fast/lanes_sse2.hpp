@@ -55,9 +55,7 @@ struct Lanes32 {
   Lanes32 operator^(Lanes32 b) const noexcept { return {_mm_xor_si128(v, b.v)}; }
   Mask operator>(Lanes32 b) const noexcept { return _mm_cmpgt_epi32(v, b.v); }
   Mask negative() const noexcept { return _mm_srai_epi32(v, 31); }
-  Lanes32 magnitude() const noexcept {
-    return {_mm_sub_epi32(_mm_xor_si128(v, negative()), negative())};
-  }
+  Lanes32 magnitude() const noexcept { return {_mm_sub_epi32(_mm_xor_si128(v, negative()), negative())}; }
   Lanes32 times_high(std::int32_t factor) const noexcept {
     return {_mm_srli_epi32(_mm_madd_epi16(v, all(factor).v), 16)};
   }
