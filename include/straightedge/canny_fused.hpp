@@ -21,9 +21,9 @@
 /// Steps, with the numbers that they have in canny.hpp
 ///   1 to 5. Row by row: each stage keeps only the rows that the next one still needs. The classes, none,
 ///      weak or strong, are written into `edges`, as bits: 64 pixels in 16 bytes.
-///   6. Hysteresis in place, 64 pixels at a time. Edges grow along weak pixels, first in a sweep down, then
-///   in
-///      one up, and from there with a short worklist. Words that grow while it is full are found again by a
+///   6. Hysteresis in place, 64 pixels at a time. Edges grow along weak pixels in a sweep down, and from
+///   where
+///      it has passed already with a short worklist. What can grow while that is full is found again by a
 ///      further sweep. Last, the bits become 255 and 0.
 ///
 /// The result does not depend on the length of the worklist. Papers: canny.hpp.
@@ -32,10 +32,10 @@
 /// magnitudes of the whole picture before the first pixel can be divided into weak and strong.
 ///
 /// Time linear in pixels while the worklist suffices. Each time it overflows, some rows are swept once more:
-/// at most 2 + edges / worklist sweeps in all, whatever the picture, and each reads every pixel's bits once.
-/// Memory: the rows (10 KB for 320x240 with the default options), 4 bytes for each entry of the worklist,
-/// nothing that grows with the pixels. (Where 16 bytes do not fit into a row of `edges`, in pictures less
-/// than 16 wide, the bits take 16 bytes a row besides.)
+/// at most 1 + 8 edges / worklist sweeps in all, whatever the picture, and each reads every pixel's bits
+/// once. Memory: the rows (10 KB for 320x240 with the default options), 4 bytes for each entry of the
+/// worklist, nothing that grows with the pixels. (Where 16 bytes do not fit into a row of `edges`, in
+/// pictures less than 16 wide, the bits take 16 bytes a row besides.)
 namespace straightedge {
 
 /// `prepare` once for a size and options, `run` many times. The workspace is the caller's and must outlive

@@ -25,31 +25,24 @@ class WordFill {
   WordFill(const EdgeWords& words, std::span<std::uint32_t> worklist) noexcept
       : words_(words), worklist_(worklist) {}
 
+  // Steps 1 and 4.
   void run() noexcept {
-    // Step 1.
-    for (std::int32_t y = 0; y < words_.height; ++y) {
-      for (std::int32_t i = 0; i < words_.words; ++i) grow(i, y);
-    }
-    // Steps 2 to 4.
-    std::int32_t begin = 0, end = words_.height;
-    while (begin < end) {
+    std::int32_t begin = 0;
+    sweep_end_ = words_.height;
+    while (begin < sweep_end_) {
       left_begin_ = words_.height;
       left_end_ = 0;
-      for (std::int32_t y = end - 1; y >= begin; --y) sweep_row(y);
+      for (sweep_y_ = begin; sweep_y_ < sweep_end_; ++sweep_y_) {
+        for (sweep_i_ = 0; sweep_i_ < words_.words; ++sweep_i_) {
+          if (grow(sweep_i_, sweep_y_)) empty_worklist();
+        }
+      }
       begin = left_begin_;
-      end = left_end_;
+      sweep_end_ = left_end_;
     }
   }
 
  private:
-  void sweep_row(std::int32_t y) noexcept {
-    for (std::int32_t i = words_.words - 1; i >= 0; --i) {
-      if (!grow(i, y)) continue;
-      push(i, y);
-      empty_worklist();
-    }
-  }
-
   bool grow(std::int32_t i, std::int32_t y) noexcept {
     std::uint8_t* const at = words_.at(i, y);
     EdgeWord word = EdgeWord::load(at);
@@ -57,9 +50,29 @@ class WordFill {
     if (open == 0) return false;
     const std::uint64_t seeds = open & around(at, i, y);
     if (seeds == 0) return false;
-    word.edges |= runs_at(open, seeds);
+    const std::uint64_t added = runs_at(open, seeds);
+    word.edges |= added;
     word.store(at);
+    offer(added, i, y);
     return true;
+  }
+
+  // Step 2.
+  void offer(std::uint64_t added, std::int32_t i, std::int32_t y) noexcept {
+    const std::uint64_t near = added | (added << 1U) | (added >> 1U);
+    const std::int32_t top = std::max<std::int32_t>(y - 1, 0), bottom = std::min(y + 1, words_.height - 1);
+    for (std::int32_t v = top; v <= bottom; ++v) {
+      if (v != y) offer_word(near, i, v);
+      if ((added & 1U) != 0 && i > 0) offer_word(std::uint64_t{1} << 63U, i - 1, v);
+      if ((added >> 63U) != 0 && i + 1 < words_.words) offer_word(1, i + 1, v);
+    }
+  }
+
+  void offer_word(std::uint64_t near, std::int32_t i, std::int32_t y) noexcept {
+    const bool ahead = y == sweep_y_ ? i > sweep_i_ : y > sweep_y_ && y < sweep_end_;
+    if (ahead) return;  // this sweep will come by
+    const EdgeWord word = EdgeWord::load(words_.at(i, y));
+    if ((word.kept & ~word.edges & near) != 0) push(i, y);
   }
 
   // Edges of three rows and the pixels next to them.
@@ -85,8 +98,8 @@ class WordFill {
       worklist_[waiting_++] = static_cast<std::uint32_t>(index + static_cast<std::size_t>(i));
       return;
     }
-    left_begin_ = std::min(left_begin_, std::max<std::int32_t>(y - 1, 0));
-    left_end_ = std::max(left_end_, std::min(y + 2, words_.height));
+    left_begin_ = std::min(left_begin_, y);
+    left_end_ = std::max(left_end_, y + 1);
   }
 
   // Step 3.
@@ -94,22 +107,18 @@ class WordFill {
     const auto length = static_cast<std::uint32_t>(words_.words);
     while (waiting_ > 0) {
       const std::uint32_t index = worklist_[--waiting_];
-      const auto y = static_cast<std::int32_t>(index / length);
-      const std::int32_t i = static_cast<std::int32_t>(index - static_cast<std::uint32_t>(y) * length);
-      const std::int32_t top = std::max<std::int32_t>(y - 1, 0), bottom = std::min(y + 1, words_.height - 1);
-      const std::int32_t left = std::max<std::int32_t>(i - 1, 0), right = std::min(i + 1, words_.words - 1);
-      for (std::int32_t v = top; v <= bottom; ++v) {
-        for (std::int32_t u = left; u <= right; ++u) {
-          if (grow(u, v)) push(u, v);
-        }
-      }
+      const std::uint32_t y = index / length;
+      grow(static_cast<std::int32_t>(index - y * length), static_cast<std::int32_t>(y));
     }
   }
 
   EdgeWords words_;
   std::span<std::uint32_t> worklist_;
   std::size_t waiting_ = 0;
-  std::int32_t left_begin_ = 0;  ///< rows around words that found no place on the worklist
+  std::int32_t sweep_y_ = 0;
+  std::int32_t sweep_i_ = 0;
+  std::int32_t sweep_end_ = 0;
+  std::int32_t left_begin_ = 0;  ///< rows of words that found no place on the worklist
   std::int32_t left_end_ = 0;
 };
 
