@@ -15,7 +15,7 @@ namespace set = STRAIGHTEDGE_KERNEL_SET;
 
 constinit const CannyRowKernels STRAIGHTEDGE_TABLE(STRAIGHTEDGE_KERNEL_SET) = {
     .blur_down = set::blur_down,
-    .blur_along = plain::blur_along,
+    .blur_along = set::blur_along,
     .gradient_l1 = {set::gradient_l1_of_3, plain::gradient_l1<5>, plain::gradient_l1<7>},
     .gradient_l2 = {set::gradient_l2_of_3, plain::gradient_l2<5>, plain::gradient_l2<7>},
     .suppress_l1 = set::suppress_l1,

@@ -9,6 +9,8 @@ namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 
 void blur_down(const std::uint8_t* const* rows, const std::uint16_t* taps, std::int32_t tap_count,
                std::uint16_t* sums, std::int32_t width) noexcept;
+void blur_along(const std::uint16_t* sums, const std::uint16_t* taps, std::int32_t tap_count,
+                std::uint8_t* blurred, std::int32_t width) noexcept;
 void gradient_l1_of_3(const std::uint8_t* const* rows, std::int16_t* scratch, std::int16_t* dx,
                       std::int16_t* dy, std::uint16_t* magnitude, std::int32_t width) noexcept;
 void gradient_l2_of_3(const std::uint8_t* const* rows, std::int16_t* scratch, std::int16_t* dx,
