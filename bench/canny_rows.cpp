@@ -10,6 +10,7 @@
 #include "straightedge/canny_rows.hpp"
 #include "straightedge/gaussian.hpp"
 #include "straightedge/gray.hpp"
+#include "straightedge/host/kernels.hpp"
 #include "straightedge/hysteresis.hpp"
 #include "straightedge/magnitude.hpp"
 #include "straightedge/sobel.hpp"
@@ -113,12 +114,21 @@ auto prepare_canny(const Job& job) {
   return [s] { require(s->canny.run(s->gray, s->edges.view()).status, "canny"); };
 }
 
-auto prepare_canny_fused(const Job& job) {
+auto prepare_fused(const Job& job, const KernelSet& kernels) {
   auto s = std::make_shared<Stages>(job);
   auto workspace = std::make_shared<std::vector<std::byte>>(FusedCanny::workspace_bytes(s->size, options));
   auto canny = std::make_shared<FusedCanny>();
-  require(FusedCanny::prepare(*canny, s->size, options, *workspace), "prepare");
+  require(FusedCanny::prepare(*canny, s->size, options, *workspace, {.kernels = kernels.canny_rows}),
+          "prepare");
   return [s, workspace, canny] { require(canny->run(s->gray, s->edges.view()).status, "fused canny"); };
+}
+
+auto prepare_canny_fused(const Job& job) {
+  return prepare_fused(job, kernel_sets().front());
+}
+
+auto prepare_canny_fused_fast(const Job& job) {
+  return prepare_fused(job, best_kernels());
 }
 
 auto prepare_canny_by_rows(const Job& job) {
@@ -146,6 +156,7 @@ void add_canny_rows(const Job& job) {
   add_row("hysteresis", job, prepare_hysteresis);
   add_row("canny", job, prepare_canny);
   add_row("canny_fused", job, prepare_canny_fused);
+  add_row("canny_fused_fast", job, prepare_canny_fused_fast);
   add_row("canny_by_rows", job, prepare_canny_by_rows);
 }
 

@@ -20,10 +20,11 @@
 ///
 /// Steps, with the numbers that they have in canny.hpp
 ///   1 to 5. Row by row: each stage keeps only the rows that the next one still needs. The classes, none,
-///      weak or strong, are written into `edges`.
-///   6. Hysteresis in place. Strong pixels are seeds of a flood fill whose worklist is short. A pixel that is
-///      reached while the worklist is full is left marked as a seed, and a further sweep takes it up. Last,
-///      traced pixels become 255 and all others 0.
+///      weak or strong, are written into `edges`, as bits: 64 pixels in 16 bytes.
+///   6. Hysteresis in place, 64 pixels at a time. Edges grow along weak pixels in a sweep down, and from
+///   where
+///      it has passed already with a short worklist. What can grow while that is full is found again by a
+///      further sweep. Last, the bits become 255 and 0.
 ///
 /// The result does not depend on the length of the worklist. Papers: canny.hpp.
 ///
@@ -31,9 +32,10 @@
 /// magnitudes of the whole picture before the first pixel can be divided into weak and strong.
 ///
 /// Time linear in pixels while the worklist suffices. Each time it overflows, some rows are swept once more:
-/// at most 1 + edges / worklist sweeps in all, whatever the picture, and each reads every pixel once.
-/// Memory: the rows (10 KB for 320x240 with the default options), 4 bytes for each entry of the worklist,
-/// nothing that grows with the pixels.
+/// at most 1 + 8 edges / worklist sweeps in all, whatever the picture, and each reads every pixel's bits
+/// once. Memory: the rows (10 KB for 320x240 with the default options), 4 bytes for each entry of the
+/// worklist, nothing that grows with the pixels. (Where 16 bytes do not fit into a row of `edges`, in
+/// pictures less than 16 wide, the bits take 16 bytes a row besides.)
 namespace straightedge {
 
 /// `prepare` once for a size and options, `run` many times. The workspace is the caller's and must outlive
@@ -62,6 +64,8 @@ class FusedCanny {
   struct Memory {
     detail::CannyRowMemory rows;
     std::span<std::uint32_t> worklist;
+    std::span<std::uint8_t> class_row;     ///< whole words of 64 pixels
+    std::span<std::uint8_t> narrow_words;  ///< for rows too narrow to hold their bits
 
     static constexpr Memory take(Arena& arena, Size size, const CannyOptions& options,
                                  const CannyRowOptions& rows) noexcept {
@@ -69,6 +73,9 @@ class FusedCanny {
       Memory memory;
       memory.rows = detail::CannyRowMemory::take(arena, size, options);
       memory.worklist = arena.take<std::uint32_t>(std::min<std::size_t>(rows.worklist, pixels));
+      memory.class_row = arena.take<std::uint8_t>((static_cast<std::size_t>(size.width) + 63) / 64 * 64);
+      if (size.width < 16)
+        memory.narrow_words = arena.take<std::uint8_t>(16 * static_cast<std::size_t>(size.height));
       return memory;
     }
   };
@@ -77,7 +84,8 @@ class FusedCanny {
   Size size_;
   CannyOptions options_;
   detail::CannyRowRecipe recipe_;
-  std::span<std::uint32_t> worklist_;
+  const CannyRowKernels* kernels_ = nullptr;
+  Memory memory_;
 };
 
 }  // namespace straightedge

@@ -92,7 +92,8 @@ class CannyRows {
       Memory memory;
       memory.rows = detail::CannyRowMemory::take(arena, size, options);
       memory.worklist = arena.take<std::uint32_t>(std::min<std::size_t>(rows.worklist, width * height));
-      memory.class_row = arena.take<std::uint8_t>(16 * detail::class_words_in_row(size.width));
+      memory.class_row = arena.take<std::uint8_t>(
+          std::max(16 * detail::class_words_in_row(size.width), detail::in_row_steps(width)));
       memory.class_words = arena.take<std::uint32_t>(detail::class_words_in_all(size));
       return memory;
     }

@@ -2,28 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/canny_fused.hpp"
 
+#include <cstddef>
 #include <cstring>
 
-#include "canny/bounded_fill.hpp"
-#include "canny/class_bytes.hpp"
+#include "canny/edge_words.hpp"
+#include "canny/word_fill.hpp"
+#include "straightedge/suppress.hpp"
 
 namespace straightedge {
-namespace {
-
-// Step 6, the end: 255 where both bits of the state are set. Four pixels at a time, then the rest.
-void keep_traced(std::uint8_t* row, std::int32_t width) noexcept {
-  static_assert(traced_edge == 3 && pending_edge < 3 && weak_edge < 3);
-  std::int32_t x = 0;
-  for (; x + 4 <= width; x += 4) {
-    std::uint32_t states = 0;
-    std::memcpy(&states, row + x, sizeof states);
-    states = (states & (states >> 1U) & 0x01010101U) * 255U;
-    std::memcpy(row + x, &states, sizeof states);
-  }
-  for (; x < width; ++x) row[x] = row[x] == traced_edge ? 255 : 0;
-}
-
-}  // namespace
 
 Status FusedCanny::prepare(FusedCanny& canny, Size size, const CannyOptions& options,
                            std::span<std::byte> workspace, const CannyRowOptions& rows) noexcept {
@@ -39,8 +25,10 @@ Status FusedCanny::prepare(FusedCanny& canny, Size size, const CannyOptions& opt
   if (arena.failed()) return Status::workspace_too_small;
   canny.size_ = size;
   canny.options_ = options;
-  canny.worklist_ = memory.worklist;
+  canny.kernels_ = rows.kernels;
+  canny.memory_ = memory;
   canny.prepared_ = true;
+  std::memset(memory.class_row.data(), no_edge, memory.class_row.size());
   detail::CannyRowRecipe::prepare(canny.recipe_, size, options, *rows.kernels, memory.rows);
   return make_gaussian_kernel(options.sigma, memory.rows.taps);
 }
@@ -50,18 +38,29 @@ CannyResult FusedCanny::run(GrayView gray, ImageView<std::uint8_t> edges) noexce
   if (!gray.valid() || !edges.valid()) return {Status::invalid_image};
   if (gray.size() != size_ || edges.size() != size_) return {Status::size_mismatch};
 
+  // Row y of the picture has been read when row y of the edges is written, so the two may be one.
+  const std::span<std::uint8_t> own = memory_.narrow_words;
+  const bool narrow = !own.empty();
+  const EdgeWords words{narrow ? own.data() : edges.row(0),
+                        narrow ? static_cast<std::ptrdiff_t>(EdgeWord::bytes) : edges.stride,
+                        (size_.width + 63) / 64, size_.height};
+
   // Steps 1 to 5.
   recipe_.begin();
   for (std::int32_t y = 0; y < size_.height; ++y) {
     recipe_.push(gray.row(y));
-    while (recipe_.next(edges.row(recipe_.rows_out()))) {
+    while (recipe_.next(memory_.class_row.data())) {
+      kernels_->pack_classes(memory_.class_row.data(), words.row(recipe_.rows_out() - 1), size_.width);
     }
   }
 
   // Step 6.
-  const std::uint32_t reached = BoundedFill<ClassBytes>::run({edges}, size_, worklist_);
-  for (std::int32_t y = 0; y < size_.height; ++y) keep_traced(edges.row(y), size_.width);
-  return {Status::ok, options_.low, options_.high, recipe_.strong(), recipe_.strong() + reached};
+  fill_words(words, memory_.worklist);
+  std::uint32_t count = 0;
+  for (std::int32_t y = 0; y < size_.height; ++y) {
+    count += kernels_->spread_edges(words.row(y), edges.row(y), size_.width);
+  }
+  return {Status::ok, options_.low, options_.high, recipe_.strong(), count};
 }
 
 }  // namespace straightedge

@@ -13,6 +13,8 @@ constinit const CannyRowKernels plain_canny_row_kernels = {
     .gradient_l2 = {plain::gradient_l2<3>, plain::gradient_l2<5>, plain::gradient_l2<7>},
     .suppress_l1 = plain::suppress_l1,
     .suppress_l2 = plain::suppress_l2,
+    .pack_classes = plain::pack_classes,
+    .spread_edges = plain::spread_edges,
 };
 
 }  // namespace straightedge

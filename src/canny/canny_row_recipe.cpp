@@ -83,9 +83,13 @@ bool CannyRowRecipe::make_gradient_row() noexcept {
   std::int16_t* const dx = memory_.dx.row(y);
   std::int16_t* const dy = memory_.dy.row(y);
   if (options_.norm == GradientNorm::l1) {
-    kernels_->gradient_l1[margin - 1](rows, scratch, dx, dy, memory_.magnitude_l1.row(y), size_.width);
+    std::uint16_t* const magnitude = memory_.magnitude_l1.row(y);
+    kernels_->gradient_l1[margin - 1](rows, scratch, dx, dy, magnitude, size_.width);
+    magnitude[size_.width] = 0;  // right of the last pixel; a kernel may have written beyond the row
   } else {
-    kernels_->gradient_l2[margin - 1](rows, scratch, dx, dy, memory_.magnitude_l2.row(y), size_.width);
+    std::uint32_t* const magnitude = memory_.magnitude_l2.row(y);
+    kernels_->gradient_l2[margin - 1](rows, scratch, dx, dy, magnitude, size_.width);
+    magnitude[size_.width] = 0;
   }
   ++gradient_rows_;
   return true;

@@ -67,8 +67,8 @@ Status CannyRows::push_row(std::span<const std::uint8_t> gray) noexcept {
 
   // Steps 1 to 5.
   recipe_.push(gray.data());
-  while (recipe_.next(memory_.class_row.data()))
-    pack_row(memory_.class_row, classes.row(recipe_.rows_out() - 1));
+  const auto whole_words = memory_.class_row.first(16 * detail::class_words_in_row(size_.width));
+  while (recipe_.next(memory_.class_row.data())) pack_row(whole_words, classes.row(recipe_.rows_out() - 1));
   return Status::ok;
 }
 

@@ -21,5 +21,7 @@ std::uint32_t suppress_l1(const MagnitudeRows<std::uint16_t>& rows, MagnitudeThr
                           std::uint8_t* classes, std::int32_t width) noexcept;
 std::uint32_t suppress_l2(const MagnitudeRows<std::uint32_t>& rows, MagnitudeThresholds limits,
                           std::uint8_t* classes, std::int32_t width) noexcept;
+void pack_classes(const std::uint8_t* classes, std::uint8_t* words, std::int32_t width) noexcept;
+std::uint32_t spread_edges(const std::uint8_t* words, std::uint8_t* edges, std::int32_t width) noexcept;
 
 }  // namespace straightedge::plain

@@ -15,6 +15,7 @@
 #include "io/number_text.hpp"
 #include "straightedge/host/canny.hpp"
 #include "straightedge/host/image_file.hpp"
+#include "straightedge/host/kernels.hpp"
 
 namespace straightedge::cli {
 namespace {
@@ -28,11 +29,13 @@ struct EdgesArguments {
 
 Result<CannyEdges> find_edges(const std::filesystem::path& file, GrayView gray,
                               const EdgesArguments& arguments, const CannyOptions& options) {
+  const auto kernels = kernels_from_environment();
+  if (!kernels) return kernels.failure();
   const std::size_t pixels = static_cast<std::size_t>(gray.width) * static_cast<std::size_t>(gray.height);
   const auto fits = check_memory(file, Canny::workspace_bytes(gray.size(), options) + 3 * pixels);
   if (!fits) return fits.failure();
   const Progress progress(file.string() + ": finding edges", arguments.common.quiet);
-  CannyEdges found = canny(gray, options);
+  CannyEdges found = canny(gray, options, *kernels);
   if (found.result.status == Status::ok) return found;
   return Failure{Problem::internal, file.string() + ": " + to_string(found.result.status)};
 }
@@ -56,7 +59,8 @@ std::string json_of(const std::filesystem::path& file, const CannyEdges& found, 
 std::string summary(const std::filesystem::path& file, const CannyEdges& found, const std::string& where) {
   return file.string() + ": " + io::to_text(found.edges.width()) + " x " + io::to_text(found.edges.height()) +
          " pixels, " + io::to_text(found.result.edges) + " of them edges (low " +
-         io::to_text(found.result.low) + ", high " + io::to_text(found.result.high) + "); written: " + where;
+         io::to_text(found.result.low) + ", high " + io::to_text(found.result.high) + "; kernels " +
+         std::string(found.kernels) + "); written: " + where;
 }
 
 Result<Done> run(const EdgesArguments& arguments) {

@@ -12,6 +12,7 @@
 #include "cli/command.hpp"
 #include "cli/help_format.hpp"
 #include "cli/streams.hpp"
+#include "straightedge/host/kernels.hpp"
 
 namespace straightedge::cli {
 namespace {
@@ -65,6 +66,7 @@ int run_commands(CLI::App& program, int argument_count, char** arguments) {
   }
   for (const Command& command : commands) {
     if (!command.app->parsed()) continue;
+    if (const auto kernels = kernels_from_environment(); !kernels) return fail(kernels.failure());
     return run_command(command);
   }
   return fail({Problem::bad_option, "no sub-command was given"});

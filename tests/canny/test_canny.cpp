@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "canny/stages.hpp"
-#include "straightedge/host/canny.hpp"
 #include "support/catch.hpp"
 
 using namespace stages;
@@ -224,16 +223,4 @@ TEST_CASE("automatic thresholds are reported and are what given ones would do") 
       CHECK(edges == edges_of(gray, options));
     }
   }
-}
-
-TEST_CASE("one line on the host") {
-  const GrayImage gray = step_image({20, 10});
-  const CannyEdges found = canny(gray.view());
-  REQUIRE(found.result.status == Status::ok);
-  CHECK(found.result.edges == 10);
-  CHECK(found.edges.size() == Size{20, 10});
-  CHECK(found.edges.at(9, 3) == 255);
-  CHECK(canny(GrayView()).result.status == Status::invalid_image);
-  CHECK(canny(GrayView()).edges.empty());
-  CHECK(canny(gray.view(), {.low = 2, .high = 1}).result.status == Status::invalid_option);
 }

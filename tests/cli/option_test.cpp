@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
 #include "run_program.hpp"
+#include "straightedge/host/kernels.hpp"
 #include "straightedge/host/map_file.hpp"
 #include "support/catch.hpp"
 
@@ -128,4 +129,21 @@ TEST_CASE("numbers are read and written alike in a locale with decimal commas") 
   CHECK(german.code == 0);
   CHECK(german.out == plain.out);
   CHECK(plain.out.find("sigma 1.25") != std::string::npos);
+}
+
+TEST_CASE("kernels are forced by name, and no picture changes") {
+  const std::string picture = fixture("images/coins.png");
+  const std::vector<std::string> arguments = {"edges", picture, "-o", "-", "--low", "30", "--high", "90"};
+  const Run best = run_program(arguments);
+  CHECK(best.code == 0);
+  for (const straightedge::KernelSet& set : straightedge::kernel_sets()) {
+    const Run forced = run_program(arguments, {.kernels = std::string(set.name)});
+    CHECK(forced.code == 0);
+    CHECK(forced.out == best.out);
+    CHECK(forced.err.find("; kernels " + std::string(set.name) + ")") != std::string::npos);
+  }
+  for (const std::string command : {"edges", "lines"}) {
+    const Run unknown = run_program({command, picture, "-o", "-"}, {.kernels = "mmx"});
+    CHECK(refusal(unknown, 2, "STRAIGHTEDGE_KERNELS").find("\"mmx\"; it has plain") != std::string::npos);
+  }
 }

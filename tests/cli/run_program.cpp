@@ -30,6 +30,7 @@ void redirect(int stream, const std::string& file, int flags) {
     if (::setrlimit(RLIMIT_AS, &limit) != 0) ::_exit(126);
   }
   if (!settings.locale.empty()) ::setenv("LC_ALL", settings.locale.c_str(), 1);
+  if (!settings.kernels.empty()) ::setenv("STRAIGHTEDGE_KERNELS", settings.kernels.c_str(), 1);
   ::execv(STRAIGHTEDGE_PROGRAM, words.data());
   ::_exit(127);
 }

@@ -20,6 +20,7 @@ struct RunSettings {
   std::size_t address_space = 0;     ///< bytes the program may take; 0: as many as it wants
   std::string standard_output = {};  ///< file or device in place of what `Run::out` is read from
   std::string locale = {};           ///< LC_ALL
+  std::string kernels = {};          ///< STRAIGHTEDGE_KERNELS; empty: as it is
   int interrupt_after_ms = 0;        ///< SIGINT, as Ctrl-C sends it; 0: never
 };
 

@@ -35,7 +35,7 @@ const Names core_headers = {"algorithm", "array",   "bit",     "climits", "compa
                             "cstddef",   "cstdint", "cstring", "limits",  "new",         "numeric",
                             "span",      "tuple",   "utility", "version", "type_traits", "iterator"};
 
-// Other people's libraries and the one module that may see each.
+// Other people's libraries, and a processor's own functions, with the modules or folders that may see each.
 const std::map<std::string, Names> library_users = {
     {"tinyxml2.h", {"io"}},
     {"stb", {"io"}},
@@ -45,6 +45,8 @@ const std::map<std::string, Names> library_users = {
     {"CLI/", {"cli"}},
     {"nlohmann/", {"cli", "io"}},
     {"Eigen/", {"map"}},
+    {"immintrin.h", {"canny/fast"}},
+    {"emmintrin.h", {"canny/fast"}},
     {"opencv", {}},
     {"boost/", {}},
     {"pcl/", {}},
@@ -88,12 +90,12 @@ std::optional<std::string> objection_to_own(const std::string& module,
   return module + " may not include " + name + " of " + *target;
 }
 
-std::optional<std::string> objection_to_foreign(const std::string& module, bool is_public,
-                                                const std::string& name) {
+std::optional<std::string> objection_to_foreign(const std::string& module, const std::string& folder,
+                                                bool is_public, const std::string& name) {
   for (const auto& [library, users] : library_users) {
     if (!name.starts_with(library)) continue;
     if (is_public) return "a public header may not include <" + name + ">";
-    if (users.contains(module)) return std::nullopt;
+    if (users.contains(module) || users.contains(folder)) return std::nullopt;
     return module + " may not include <" + name + ">";
   }
   if (core_modules.contains(module) && !core_headers.contains(name)) {
@@ -125,13 +127,14 @@ std::optional<Include> include_on(const std::string& line) {
 void check_file(const fs::path& root, const fs::path& file, const std::string& module, bool is_public,
                 std::vector<Breach>& breaches) {
   const std::vector<std::string> lines = lines_of(file);
+  const std::string folder = fs::relative(file.parent_path(), root / "src").generic_string();
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto include = include_on(lines[i]);
     if (!include) continue;
     const std::string& name = include->name;
     const auto objection = include->quoted
                                ? objection_to_own(module, module_of_include(root, module, file, name), name)
-                               : objection_to_foreign(module, is_public, name);
+                               : objection_to_foreign(module, folder, is_public, name);
     if (objection) breaches.push_back({fs::relative(file, root).string(), i + 1, *objection});
   }
 }

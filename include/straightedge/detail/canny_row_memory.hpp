@@ -18,6 +18,11 @@ namespace straightedge::detail {
 /// all rows that are kept.
 inline constexpr std::uint64_t max_row_canny_pixels = std::min<std::uint64_t>(SIZE_MAX / 64, 1U << 30U);
 
+/// Elements of a row with the room that kernels may use beyond its end.
+constexpr std::size_t in_row_steps(std::size_t length) noexcept {
+  return (length + canny_row_step - 1) / canny_row_step * canny_row_step;
+}
+
 /// A ring of rows: row y lies in slot y modulo the number of slots.
 template <class T>
 struct RowRing {
@@ -31,13 +36,9 @@ struct RowRing {
     RowRing ring;
     ring.slots = slots;
     ring.margin = static_cast<std::size_t>(margin);
-    ring.stride = in_steps(in_steps(static_cast<std::size_t>(width)) + 2 * ring.margin);
+    ring.stride = in_row_steps(in_row_steps(static_cast<std::size_t>(width)) + 2 * ring.margin);
     ring.elements = arena.take<T>(ring.stride * static_cast<std::size_t>(slots));
     return ring;
-  }
-
-  static constexpr std::size_t in_steps(std::size_t length) noexcept {
-    return (length + canny_row_step - 1) / canny_row_step * canny_row_step;
   }
 
   T* row(std::int32_t y) const noexcept {

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+// Same result as ../row_blur_down.cpp; read that first.
+#ifdef STRAIGHTEDGE_KERNEL_SET
+#include "canny/fast/lanes.hpp"
+#include "canny/fast/row_kernels.hpp"
+
+namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
+
+// The largest sum, 256 times 255, fits 16 bits.
+void blur_down(const std::uint8_t* const* rows, const std::uint16_t* taps, std::int32_t tap_count,
+               std::uint16_t* sums, std::int32_t width) noexcept {
+  const std::int32_t margin = tap_count / 2;
+  const auto load = Lanes16::load_bytes;
+  for (std::int32_t x = 0; x < width; x += Lanes16::count) {
+    Lanes16 sum = load(rows[margin] + x) * Lanes16::all(taps[margin]);
+    for (std::int32_t k = 0; k < margin; ++k) {
+      sum = sum + (load(rows[k] + x) + load(rows[tap_count - 1 - k] + x)) * Lanes16::all(taps[k]);
+    }
+    sum.store(sums + x);
+  }
+}
+
+}  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
+#endif

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "straightedge/host/kernels.hpp"
+
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+
+namespace straightedge {
+namespace {
+
+// Plain to fastest: a machine that has one of them has all before it.
+constexpr KernelSet all_sets[] = {
+    {"plain", &plain_canny_row_kernels},
+#if defined(__x86_64__)
+    {"sse2", &sse2_canny_row_kernels},
+    {"avx2", &avx2_canny_row_kernels},
+    {"avx512", &avx512_canny_row_kernels},
+#endif
+};
+
+std::size_t count_sets() {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt");
+  const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  return avx512 ? 4 : avx2 ? 3 : 2;
+#else
+  return 1;
+#endif
+}
+
+}  // namespace
+
+std::span<const KernelSet> kernel_sets() {
+  static const std::size_t count = count_sets();
+  return std::span(all_sets).first(count);
+}
+
+const KernelSet& best_kernels() {
+  return kernel_sets().back();
+}
+
+Result<KernelSet> kernels_by_name(std::string_view name) {
+  std::string names;
+  for (const KernelSet& set : kernel_sets()) {
+    if (set.name == name) return set;
+    names += (names.empty() ? "" : ", ") + std::string(set.name);
+  }
+  return Failure{Problem::bad_option,
+                 "this machine has no kernels named \"" + std::string(name) + "\"; it has " + names};
+}
+
+Result<KernelSet> kernels_from_environment() {
+  const char* const name = std::getenv("STRAIGHTEDGE_KERNELS");
+  if (name == nullptr) return best_kernels();
+  auto set = kernels_by_name(name);
+  if (!set) return Failure{set.failure().problem, "STRAIGHTEDGE_KERNELS: " + set.failure().sentence};
+  return set;
+}
+
+}  // namespace straightedge
