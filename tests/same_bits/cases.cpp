@@ -10,8 +10,23 @@ namespace {
 struct KernelSet {
   const char* name;
   const straightedge::CannyRowKernels& canny_rows;
+  bool runs_here;
 };
-constexpr KernelSet kernel_sets[] = {{"plain", straightedge::plain_canny_row_kernels}};
+
+template <class Run>
+void for_each_set(Run run) noexcept {
+  using namespace straightedge;
+  run(KernelSet{"plain", plain_canny_row_kernels, true});
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt");
+  const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  run(KernelSet{"sse2", sse2_canny_row_kernels, true});
+  run(KernelSet{"avx2", avx2_canny_row_kernels, avx2});
+  run(KernelSet{"avx512", avx512_canny_row_kernels, avx512});
+#endif
+}
 
 }  // namespace
 
@@ -19,7 +34,8 @@ void run_cases(Write write) noexcept {
   const Report report(write);
   write("build " SAME_BITS_BUILD "\n");
   make_inputs();
-  for (const KernelSet& kernels : kernel_sets) {
+  for_each_set([&](const KernelSet& kernels) noexcept {
+    if (!kernels.runs_here) return;
     write("kernels ");
     write(kernels.name);
     write("\n");
@@ -37,7 +53,7 @@ void run_cases(Write write) noexcept {
     ransac_search_cases(report);
     frame_plane_cases(report);
     octree_cases(report);
-  }
+  });
 }
 
 }  // namespace same_bits
