@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+
+/// Two implementations of one job, timed in turns, so that both meet the same moods of the machine.
+namespace compare {
+
+struct Job {
+  std::string name;     ///< "Canny L1"
+  std::string size;     ///< "640x480"
+  std::string kernels;  ///< of ours
+  std::function<void()> ours;
+  std::function<void()> theirs;
+  std::function<bool()> agree;  ///< of what the two calls left behind
+};
+
+/// Prints the head of the table.
+void print_head();
+
+/// Checks that the answers agree, then calls each `rounds` times in turns and prints a row: the medians, and
+/// the median of the rounds' ratios with its quartiles. Ends the program when the answers differ.
+void print_row(const Job& job, int rounds);
+
+}  // namespace compare
