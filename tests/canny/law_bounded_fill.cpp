@@ -130,13 +130,13 @@ TEST_CASE("the bounded flood fill reaches the same with any worklist: random cla
       }
     }
     CAPTURE(seed, size.width, size.height, weak_percent, strong_per_mille);
-    for (const std::size_t worklist : {1, 2, 3, 8, 100, 5000}) check_fill(classes, worklist);
+    for (const std::size_t worklist : {1U, 2U, 3U, 8U, 100U, 5000U}) check_fill(classes, worklist);
   }
 }
 
 TEST_CASE("the bounded flood fill reaches the same with any worklist: spirals and mazes") {
   for (const int n : {3, 15, 16, 17, 33, 64, 65, 130}) {
-    for (const std::size_t worklist : {1, 2, 5, 1000}) {
+    for (const std::size_t worklist : {1U, 2U, 5U, 1000U}) {
       CAPTURE(n, worklist);
       check_fill(spiral(n), worklist);
       Pcg32 random(static_cast<std::uint64_t>(n), 42);
@@ -150,7 +150,7 @@ TEST_CASE("a plane of weak pixels overflows the worklist, and one seed still tak
     for (const int y : {0, 15, 29}) {
       GrayImage classes({40, 30}, 2, std::uint8_t{weak_edge});
       classes.at(x, y) = strong_edge;
-      for (const std::size_t worklist : {1, 4, 64}) {
+      for (const std::size_t worklist : {1U, 4U, 64U}) {
         const Filled filled = fill_bits(classes, worklist);
         CHECK(filled.reached == 40 * 30 - 1);
         check_fill(classes, worklist);
