@@ -101,7 +101,8 @@ void check_suppress(CannyRowKernels::Suppress<M> fast, CannyRowKernels::Suppress
     const auto gradient = [&] {
       const std::uint32_t extreme = random.below(8);
       const std::uint32_t size = extreme < 2 ? extreme * steepest : random.below(steepest + 1);
-      return static_cast<std::int16_t>(random.below(2) == 0 ? size : -static_cast<int>(size));
+      const auto rise = static_cast<std::int32_t>(size);
+      return static_cast<std::int16_t>(random.below(2) == 0 ? rise : -rise);
     };
     dx.data()[x] = gradient();
     dy.data()[x] = gradient();

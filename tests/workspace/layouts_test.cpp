@@ -74,7 +74,7 @@ TEST_CASE("rows with gaps, odd addresses and points of many strides give what pa
 }
 
 TEST_CASE("a workspace may lie anywhere and be full of anything") {
-  for (const std::size_t offset : {1, 8, 63}) {
+  for (const std::size_t offset : {1U, 8U, 63U}) {
     INFO("offset " << offset);
     const Layout layout{.offset = offset, .dirt = static_cast<unsigned char>(offset == 8 ? 0x7F : 0xFF)};
     for_all([&](const Algorithm& algorithm) { check_same(algorithm, layout); });
