@@ -4,16 +4,14 @@
 #ifdef STRAIGHTEDGE_KERNEL_SET
 #include "straightedge/canny_row_kernels.hpp"
 
+#include "base/kernel_set.hpp"
 #include "canny/fast/row_kernels.hpp"
 #include "canny/row_kernels.hpp"
-
-#define STRAIGHTEDGE_JOIN(set, name) set##name
-#define STRAIGHTEDGE_TABLE(set) STRAIGHTEDGE_JOIN(set, _canny_row_kernels)
 
 namespace straightedge {
 namespace set = STRAIGHTEDGE_KERNEL_SET;
 
-constinit const CannyRowKernels STRAIGHTEDGE_TABLE(STRAIGHTEDGE_KERNEL_SET) = {
+constinit const CannyRowKernels STRAIGHTEDGE_OF_SET(_canny_row_kernels) = {
     .blur_down = set::blur_down,
     .blur_along = set::blur_along,
     .gradient_l1 = {set::gradient_l1_of_3, plain::gradient_l1<5>, plain::gradient_l1<7>},
