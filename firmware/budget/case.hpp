@@ -9,6 +9,10 @@
 
 #include "straightedge/image.hpp"
 
+/// The value of a macro as a text.
+#define TEXT_OF(name) #name
+#define NAME_OF(name) TEXT_OF(name)
+
 /// What a program of the budget is made of: one algorithm, run at three sizes between two marks.
 namespace firmware {
 

@@ -8,9 +8,6 @@
 #include "straightedge/hough_plane_patches.hpp"
 #include "straightedge/ransac_search.hpp"
 
-#define TEXT_OF(name) #name
-#define NAME_OF(name) TEXT_OF(name)
-
 namespace {
 
 using namespace straightedge;

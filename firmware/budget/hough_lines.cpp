@@ -6,9 +6,6 @@
 #include "budget/case.hpp"
 #include "budget/edge_input.hpp"
 
-#define TEXT_OF(name) #name
-#define NAME_OF(name) TEXT_OF(name)
-
 namespace {
 
 using namespace straightedge;

@@ -5,9 +5,6 @@
 #include "straightedge/hough_planes.hpp"
 #include "budget/cloud_input.hpp"
 
-#define TEXT_OF(name) #name
-#define NAME_OF(name) TEXT_OF(name)
-
 namespace {
 
 using namespace straightedge;

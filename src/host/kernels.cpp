@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "straightedge/detail/x86_instructions.hpp"
+
 namespace straightedge {
 namespace {
 
@@ -21,11 +23,7 @@ constexpr KernelSet all_sets[] = {
 
 std::size_t count_sets() {
 #if defined(__x86_64__)
-  __builtin_cpu_init();
-  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt");
-  const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  return avx512 ? 4 : avx2 ? 3 : 2;
+  return detail::has_avx512() ? 4 : detail::has_avx2() ? 3 : 2;
 #else
   return 1;
 #endif

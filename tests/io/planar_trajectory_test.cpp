@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "straightedge/host/trajectory.hpp"
+#include "refusal.hpp"
 #include "temporary_folder.hpp"
 
 using namespace straightedge;
@@ -14,15 +15,7 @@ using namespace straightedge;
 namespace {
 
 std::string refusal_of(const std::string& text) {
-  const TemporaryFolder folder;
-  const auto file = folder.put("t.txt", text);
-  const auto poses = read_planar_trajectory(file);
-  INFO(text);
-  REQUIRE_FALSE(poses);
-  CHECK(poses.failure().problem == Problem::bad_content);
-  const std::string name = file.string() + ": ";
-  REQUIRE(poses.failure().sentence.starts_with(name));
-  return poses.failure().sentence.substr(name.size());
+  return refusal_by([](const auto& file) { return read_planar_trajectory(file); }, text);
 }
 
 }  // namespace

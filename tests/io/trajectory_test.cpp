@@ -9,6 +9,7 @@
 
 #include "catch.hpp"
 #include "io/number_text.hpp"
+#include "refusal.hpp"
 #include "temporary_folder.hpp"
 
 using namespace straightedge;
@@ -24,15 +25,7 @@ std::vector<TimedPose> poses_of(const std::string& text) {
 }
 
 std::string refusal_of(const std::string& text) {
-  const TemporaryFolder folder;
-  const auto file = folder.put("t.txt", text);
-  const auto poses = read_trajectory(file);
-  INFO(text);
-  REQUIRE_FALSE(poses);
-  CHECK(poses.failure().problem == Problem::bad_content);
-  const std::string name = file.string() + ": ";
-  REQUIRE(poses.failure().sentence.starts_with(name));
-  return poses.failure().sentence.substr(name.size());
+  return refusal_by([](const auto& file) { return read_trajectory(file); }, text);
 }
 
 /// How far R^T R is from the unit matrix, at most.

@@ -3,6 +3,7 @@
 #include "cases.hpp"
 
 #include "inputs.hpp"
+#include "straightedge/detail/x86_instructions.hpp"
 
 namespace same_bits {
 namespace {
@@ -18,13 +19,9 @@ void for_each_set(Run run) noexcept {
   using namespace straightedge;
   run(KernelSet{"plain", plain_canny_row_kernels, true});
 #if defined(__x86_64__)
-  __builtin_cpu_init();
-  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt");
-  const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
   run(KernelSet{"sse2", sse2_canny_row_kernels, true});
-  run(KernelSet{"avx2", avx2_canny_row_kernels, avx2});
-  run(KernelSet{"avx512", avx512_canny_row_kernels, avx512});
+  run(KernelSet{"avx2", avx2_canny_row_kernels, detail::has_avx2()});
+  run(KernelSet{"avx512", avx512_canny_row_kernels, detail::has_avx512()});
 #endif
 }
 

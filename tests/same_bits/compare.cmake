@@ -3,16 +3,8 @@
 
 # compare.cmake -- PROGRAM [arguments]: compares the rows that a program prints with those of TABLE, for each
 # set of kernels. A difference is named with the program's build. With REMAKE it writes the table instead.
-set(command)
-set(after OFF)
-math(EXPR last "${CMAKE_ARGC} - 1")
-foreach(i RANGE ${last})
-  if(after)
-    list(APPEND command "${CMAKE_ARGV${i}}")
-  elseif(CMAKE_ARGV${i} STREQUAL "--")
-    set(after ON)
-  endif()
-endforeach()
+include(${CMAKE_CURRENT_LIST_DIR}/words_after_dashes.cmake)
+words_after_dashes(command)
 
 execute_process(COMMAND ${command} OUTPUT_VARIABLE output ERROR_VARIABLE errors RESULT_VARIABLE result)
 if(NOT result EQUAL 0)

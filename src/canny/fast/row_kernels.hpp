@@ -4,7 +4,8 @@
 
 #include "straightedge/canny_row_kernels.hpp"
 
-// The row functions of one instruction set; canny_row_kernels.hpp says what each does.
+// The row functions of one instruction set; canny_row_kernels.hpp says what each does. Not the plain ones'
+// header under another name: those have gradients of all three sides, as templates.
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 
 void blur_down(const std::uint8_t* const* rows, const std::uint16_t* taps, std::int32_t tap_count,
