@@ -24,30 +24,15 @@ enum class GradientSector : std::uint8_t {
   rising,      ///< of opposite signs: upper right and lower left
 };
 
-namespace detail {
-
-/// Number holds 2^16 times the larger of |dx| and |dy|, and a little more.
-template <class Number>
+/// The sector of a gradient: the nearest of the four directions. tan 22.5° is taken as 13573 / 2^15.
 constexpr GradientSector gradient_sector(std::int32_t dx, std::int32_t dy) noexcept {
-  const Number across = dx < 0 ? Number{0} - static_cast<Number>(dx) : static_cast<Number>(dx);
-  const Number down = dy < 0 ? Number{0} - static_cast<Number>(dy) : static_cast<Number>(dy);
-  constexpr Number tan_22 = 13573;           // tan 22.5° * 2^15
-  constexpr Number tan_67 = tan_22 + 65536;  // tan 67.5° = tan 22.5° + 2
+  const std::int64_t across = dx < 0 ? -std::int64_t{dx} : dx;
+  const std::int64_t down = dy < 0 ? -std::int64_t{dy} : dy;
+  constexpr std::int64_t tan_22 = 13573;           // tan 22.5° * 2^15
+  constexpr std::int64_t tan_67 = tan_22 + 65536;  // tan 67.5° = tan 22.5° + 2
   if (down * 32768 < across * tan_22) return GradientSector::horizontal;
   if (down * 32768 > across * tan_67) return GradientSector::vertical;
   return (dx < 0) == (dy < 0) ? GradientSector::falling : GradientSector::rising;
-}
-
-}  // namespace detail
-
-/// The sector of a gradient: the nearest of the four directions. tan 22.5° is taken as 13573 / 2^15.
-constexpr GradientSector gradient_sector(std::int32_t dx, std::int32_t dy) noexcept {
-  return detail::gradient_sector<std::int64_t>(dx, dy);
-}
-
-/// The same for what a Sobel operator gives, in 32 bits: 2^15 * 79109 fits them.
-constexpr GradientSector gradient_sector_16(std::int16_t dx, std::int16_t dy) noexcept {
-  return detail::gradient_sector<std::uint32_t>(dx, dy);
 }
 
 /// Non-maximum suppression with the double threshold: of the ridge that an edge makes in the magnitude,
