@@ -45,17 +45,19 @@ CannyResult FusedCanny::run(GrayView gray, ImageView<std::uint8_t> edges) noexce
                         narrow ? static_cast<std::ptrdiff_t>(EdgeWord::bytes) : edges.stride,
                         (size_.width + 63) / 64, size_.height};
 
-  // Steps 1 to 5.
+  // Steps 1 to 5, and 6 for each row whose neighbours are there.
+  WordFill fill(words, memory_.worklist);
   recipe_.begin();
   for (std::int32_t y = 0; y < size_.height; ++y) {
     recipe_.push(gray.row(y));
     while (recipe_.next(memory_.class_row.data())) {
-      kernels_->pack_classes(memory_.class_row.data(), words.row(recipe_.rows_out() - 1), size_.width);
+      const std::int32_t row = recipe_.rows_out() - 1;
+      kernels_->pack_classes(memory_.class_row.data(), words.row(row), size_.width);
+      if (row > 0) fill.flow_down(row - 1);
     }
   }
-
-  // Step 6.
-  fill_words(words, memory_.worklist);
+  fill.flow_down(size_.height - 1);
+  fill.finish();
   std::uint32_t count = 0;
   for (std::int32_t y = 0; y < size_.height; ++y) {
     count += kernels_->spread_edges(words.row(y), edges.row(y), size_.width);

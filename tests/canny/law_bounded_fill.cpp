@@ -44,7 +44,9 @@ Filled fill_by_words(const GrayImage& classes, std::size_t worklist) {
     }
     kernels.pack_classes(row.data(), words.row(y), size.width);
   }
-  fill_words(words, waiting);
+  WordFill fill(words, waiting);
+  for (std::int32_t y = 0; y < words.height; ++y) fill.flow_down(y);
+  fill.finish();
   for (int y = 0; y < size.height; ++y) {
     filled.reached += kernels.spread_edges(words.row(y), filled.edges.view().row(y), size.width);
   }
