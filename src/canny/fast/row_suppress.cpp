@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Same result as ../row_suppress.cpp; read that first.
 #ifdef STRAIGHTEDGE_KERNEL_SET
+#include <cstring>
+
 #include "canny/fast/lanes.hpp"
 #include "canny/fast/row_kernels.hpp"
 
@@ -33,13 +35,23 @@ template <class Lanes, class M>
 std::uint32_t suppress_block(const MagnitudeRows<M>& rows, std::int32_t x, Lanes low, Lanes high,
                              std::uint8_t* classes) noexcept {
   const Lanes m = Lanes::load(rows.here + x);
-  typename Lanes::Mask kept = m > low, strong{};
-  if (any(kept)) {
-    kept = m > max(low, crest_limit<Lanes>(rows, x));
-    strong = both(kept, m > high);
-  }
+  const auto kept = m > max(low, crest_limit<Lanes>(rows, x));
+  const auto strong = both(kept, m > high);
   store_classes(Lanes{}, kept, strong, classes + x);
   return count_of(Lanes{}, strong);
+}
+
+// Where edges are few, none is in most stretches of this many pixels; where they are many, one is in most.
+constexpr std::int32_t stretch = 64;
+
+// Of a stretch, lane by lane.
+template <class Lanes, class M>
+Lanes largest_of(const M* magnitude) noexcept {
+  Lanes largest = Lanes::load(magnitude);
+  for (std::int32_t i = Lanes::count; i < stretch; i += Lanes::count) {
+    largest = max(largest, Lanes::load(magnitude + i));
+  }
+  return largest;
 }
 
 // Thresholds above the largest magnitude are all alike.
@@ -54,6 +66,15 @@ std::uint32_t suppress(const MagnitudeRows<M> rows, MagnitudeThresholds limits, 
   const Lanes high = Lanes::all(limited(limits.high, largest));
   std::uint32_t strong = 0;
   std::int32_t x = 0;
+  for (; x + stretch <= width; x += stretch) {
+    if (!any(largest_of<Lanes>(rows.here + x) > low)) {
+      std::memset(classes + x, 0, stretch);
+      continue;
+    }
+    for (std::int32_t i = x; i < x + stretch; i += Lanes::count) {
+      strong += suppress_block<Lanes>(rows, i, low, high, classes);
+    }
+  }
   for (; x + Lanes::count <= width; x += Lanes::count) {
     strong += suppress_block<Lanes>(rows, x, low, high, classes);
   }
