@@ -139,20 +139,21 @@ inline std::uint32_t count_of(std::uint64_t bits) noexcept {
   return static_cast<std::uint32_t>(__builtin_popcountll(bits));
 }
 
-/// 32-bit sums of products, one a lane of Lanes16.
+/// 32-bit sums of products, one a lane of Lanes16: those of even lanes, and those of odd ones.
 struct ProductSums {
-  __m256i low, high;
+  __m256i even, odd;
   static ProductSums all(std::int32_t value) noexcept {
     return {_mm256_set1_epi32(value), _mm256_set1_epi32(value)};
   }
-  void add(Lanes16 a, std::int32_t a_factor, Lanes16 b, std::int32_t b_factor) noexcept {
-    const __m256i factors = _mm256_set1_epi32(a_factor | (b_factor << 16));
-    low = _mm256_add_epi32(low, _mm256_madd_epi16(_mm256_unpacklo_epi16(a.v, b.v), factors));
-    high = _mm256_add_epi32(high, _mm256_madd_epi16(_mm256_unpackhi_epi16(a.v, b.v), factors));
+  /// To lane i the products of numbers i and i + 1; `next` begins at number 1.
+  void add(Lanes16 numbers, Lanes16 next, std::int32_t factor, std::int32_t next_factor) noexcept {
+    const __m256i factors = _mm256_set1_epi32(factor | (next_factor << 16));
+    even = _mm256_add_epi32(even, _mm256_madd_epi16(numbers.v, factors));
+    odd = _mm256_add_epi32(odd, _mm256_madd_epi16(next.v, factors));
   }
   /// The sums divided by 65536, which must fit a byte.
   void store_bytes(std::uint8_t* bytes) const noexcept {
-    const __m256i numbers = _mm256_packs_epi32(_mm256_srli_epi32(low, 16), _mm256_srli_epi32(high, 16));
+    const __m256i numbers = _mm256_blend_epi16(_mm256_srli_epi32(even, 16), odd, 0xAA);
     const __m256i packed = _mm256_permute4x64_epi64(_mm256_packus_epi16(numbers, numbers), 0x08);
     _mm_storeu_si128(reinterpret_cast<__m128i*>(bytes), _mm256_castsi256_si128(packed));
   }

@@ -145,20 +145,22 @@ inline std::uint32_t count_of(std::uint64_t bits) noexcept {
   return static_cast<std::uint32_t>((bytes * 0x0101010101010101U) >> 56U);
 }
 
-/// 32-bit sums of products, one a lane of Lanes16.
+/// 32-bit sums of products, one a lane of Lanes16: those of even lanes, and those of odd ones.
 struct ProductSums {
-  __m128i low, high;
+  __m128i even, odd;
   static ProductSums all(std::int32_t value) noexcept {
     return {_mm_set1_epi32(value), _mm_set1_epi32(value)};
   }
-  void add(Lanes16 a, std::int32_t a_factor, Lanes16 b, std::int32_t b_factor) noexcept {
-    const __m128i factors = _mm_set1_epi32(a_factor | (b_factor << 16));
-    low = _mm_add_epi32(low, _mm_madd_epi16(_mm_unpacklo_epi16(a.v, b.v), factors));
-    high = _mm_add_epi32(high, _mm_madd_epi16(_mm_unpackhi_epi16(a.v, b.v), factors));
+  /// To lane i the products of numbers i and i + 1; `next` begins at number 1.
+  void add(Lanes16 numbers, Lanes16 next, std::int32_t factor, std::int32_t next_factor) noexcept {
+    const __m128i factors = _mm_set1_epi32(factor | (next_factor << 16));
+    even = _mm_add_epi32(even, _mm_madd_epi16(numbers.v, factors));
+    odd = _mm_add_epi32(odd, _mm_madd_epi16(next.v, factors));
   }
   /// The sums divided by 65536, which must fit a byte.
   void store_bytes(std::uint8_t* bytes) const noexcept {
-    const __m128i numbers = _mm_packs_epi32(_mm_srli_epi32(low, 16), _mm_srli_epi32(high, 16));
+    const __m128i numbers =
+        _mm_or_si128(_mm_srli_epi32(even, 16), _mm_and_si128(odd, _mm_set1_epi32(-65536)));
     _mm_storel_epi64(reinterpret_cast<__m128i*>(bytes), _mm_packus_epi16(numbers, numbers));
   }
 };

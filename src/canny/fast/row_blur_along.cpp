@@ -16,21 +16,30 @@ Lanes16 load_less(const std::uint16_t* sums) noexcept {
   return Lanes16::load(sums) ^ Lanes16::all(-32768);
 }
 
+// A number of taps that is known beforehand spares the loops over them.
+template <std::int32_t Known>
+void blur(const std::uint16_t* sums, const std::uint16_t* taps, std::int32_t tap_count, std::uint8_t* blurred,
+          std::int32_t width) noexcept {
+  const std::int32_t count = Known > 0 ? Known : tap_count, last = count - 1;
+  for (std::int32_t x = 0; x < width; x += Lanes16::count) {
+    const std::uint16_t* const first = sums + x - count / 2;
+    ProductSums total = ProductSums::all(taken_off + half);
+    for (std::int32_t k = 0; k < last; k += 2) {
+      total.add(load_less(first + k), load_less(first + k + 1), taps[k], taps[k + 1]);
+    }
+    total.add(load_less(first + last - 1), load_less(first + last), 0, taps[last]);
+    total.store_bytes(blurred + x);
+  }
+}
+
 }  // namespace
 
 void blur_along(const std::uint16_t* sums, const std::uint16_t* taps, std::int32_t tap_count,
                 std::uint8_t* blurred, std::int32_t width) noexcept {
-  const std::int32_t margin = tap_count / 2, last = tap_count - 1;
-  for (std::int32_t x = 0; x < width; x += Lanes16::count) {
-    const std::uint16_t* const first = sums + x - margin;
-    ProductSums total = ProductSums::all(taken_off + half);
-    for (std::int32_t k = 0; k < last; k += 2) {
-      total.add(load_less(first + k), taps[k], load_less(first + k + 1), taps[k + 1]);
-    }
-    const Lanes16 rightmost = load_less(first + last);
-    total.add(rightmost, taps[last], rightmost, 0);
-    total.store_bytes(blurred + x);
-  }
+  if (tap_count == 3) return blur<3>(sums, taps, tap_count, blurred, width);
+  if (tap_count == 5) return blur<5>(sums, taps, tap_count, blurred, width);
+  if (tap_count == 7) return blur<7>(sums, taps, tap_count, blurred, width);
+  blur<0>(sums, taps, tap_count, blurred, width);
 }
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET

@@ -7,18 +7,32 @@
 
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 
-// The largest sum, 256 times 255, fits 16 bits.
-void blur_down(const std::uint8_t* const* rows, const std::uint16_t* taps, std::int32_t tap_count,
-               std::uint16_t* sums, std::int32_t width) noexcept {
-  const std::int32_t margin = tap_count / 2;
+namespace {
+
+// The largest sum, 256 times 255, fits 16 bits. A number of taps that is known beforehand spares the loops
+// over them.
+template <std::int32_t Known>
+void blur(const std::uint8_t* const* rows, const std::uint16_t* taps, std::int32_t tap_count,
+          std::uint16_t* sums, std::int32_t width) noexcept {
+  const std::int32_t count = Known > 0 ? Known : tap_count, margin = count / 2;
   const auto load = Lanes16::load_bytes;
   for (std::int32_t x = 0; x < width; x += Lanes16::count) {
     Lanes16 sum = load(rows[margin] + x) * Lanes16::all(taps[margin]);
     for (std::int32_t k = 0; k < margin; ++k) {
-      sum = sum + (load(rows[k] + x) + load(rows[tap_count - 1 - k] + x)) * Lanes16::all(taps[k]);
+      sum = sum + (load(rows[k] + x) + load(rows[count - 1 - k] + x)) * Lanes16::all(taps[k]);
     }
     sum.store(sums + x);
   }
+}
+
+}  // namespace
+
+void blur_down(const std::uint8_t* const* rows, const std::uint16_t* taps, std::int32_t tap_count,
+               std::uint16_t* sums, std::int32_t width) noexcept {
+  if (tap_count == 3) return blur<3>(rows, taps, tap_count, sums, width);
+  if (tap_count == 5) return blur<5>(rows, taps, tap_count, sums, width);
+  if (tap_count == 7) return blur<7>(rows, taps, tap_count, sums, width);
+  blur<0>(rows, taps, tap_count, sums, width);
 }
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
