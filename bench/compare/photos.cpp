@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "photos.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <opencv2/imgproc.hpp>
@@ -10,22 +11,32 @@
 
 namespace compare {
 
-std::vector<cv::Mat> photos(straightedge::Size size) {
-  std::vector<cv::Mat> scaled;
-  for (const char* name : {"building.jpg", "home.jpg", "board.jpg", "blox.jpg", "left01.jpg", "camera.png"}) {
-    const auto image = straightedge::read_gray_image(std::string(STRAIGHTEDGE_FIXTURES "/images/") + name);
-    if (!image) {
-      std::fprintf(stderr, "%s\n", image.failure().sentence.c_str());
-      std::exit(70);
-    }
-    const straightedge::GrayView view = image->view();
-    const cv::Mat whole(view.height, view.width, CV_8UC1, const_cast<std::uint8_t*>(view.data),
-                        static_cast<std::size_t>(view.stride));
-    cv::Mat picture;
-    cv::resize(whole, picture, {size.width, size.height}, 0, 0, cv::INTER_LINEAR);
-    scaled.push_back(picture);
+namespace {
+
+cv::Mat read_photo(const std::string& name) {
+  const auto image = straightedge::read_gray_image(STRAIGHTEDGE_FIXTURES "/images/" + name);
+  if (!image) {
+    std::fprintf(stderr, "%s\n", image.failure().sentence.c_str());
+    std::exit(70);
   }
-  return scaled;
+  const straightedge::GrayView view = image->view();
+  return cv::Mat(view.height, view.width, CV_8UC1, const_cast<std::uint8_t*>(view.data),
+                 static_cast<std::size_t>(view.stride))
+      .clone();
+}
+
+}  // namespace
+
+std::vector<cv::Mat> photos(straightedge::Size size) {
+  std::vector<cv::Mat> pictures;
+  for (const char* name : {"building.jpg", "home.jpg", "board.jpg", "blox.jpg", "left01.jpg", "camera.png"}) {
+    const cv::Mat photo = read_photo(name);
+    const cv::Mat part = photo({0, 0, std::min(photo.cols, size.width), std::min(photo.rows, size.height)});
+    pictures.emplace_back();
+    cv::copyMakeBorder(part, pictures.back(), 0, size.height - part.rows, 0, size.width - part.cols,
+                       cv::BORDER_REFLECT);
+  }
+  return pictures;
 }
 
 }  // namespace compare

@@ -10,7 +10,7 @@
 
 namespace compare {
 
-/// The shipped photos, scaled to a size.
+/// The shipped photos as parts of a size, at their own scale: what is smaller is mirrored until it fills it.
 std::vector<cv::Mat> photos(straightedge::Size size);
 
 /// One picture's view for both libraries.
