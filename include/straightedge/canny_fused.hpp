@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,8 +9,8 @@
 #include "straightedge/arena.hpp"
 #include "straightedge/canny.hpp"
 #include "straightedge/canny_row_kernels.hpp"
-#include "straightedge/detail/canny_row_memory.hpp"
 #include "straightedge/detail/canny_row_recipe.hpp"
+#include "straightedge/detail/canny_stripe.hpp"
 #include "straightedge/image.hpp"
 #include "straightedge/status.hpp"
 
@@ -21,10 +20,11 @@
 /// Steps, with the numbers that they have in canny.hpp
 ///   1 to 5. Row by row: each stage keeps only the rows that the next one still needs. The classes, none,
 ///      weak or strong, are written into `edges`, as bits: 64 pixels in 16 bytes.
-///   6. Hysteresis in place, 64 pixels at a time. Edges grow along weak pixels in a sweep down, and from
-///   where
-///      it has passed already with a short worklist. What can grow while that is full is found again by a
-///      further sweep. Last, the bits become 255 and 0.
+///   6. Hysteresis in place, 64 pixels at a time. Edges grow along weak pixels down the picture while its
+///      rows are made, then in a sweep up, and from where that has passed already with a short worklist. What
+///      can grow while the list is full is found again by a further sweep. Last, the bits become 255 and 0.
+/// In stripes, each is worked on as a picture of its own with some rows more on both sides; then edges grow
+/// across the seams.
 ///
 /// The result does not depend on the length of the worklist. Papers: canny.hpp.
 ///
@@ -58,32 +58,58 @@ class FusedCanny {
 
   /// `edges`: 255 on edges, 0 elsewhere; it may be the very view of `gray`. Both views have the prepared
   /// size. Errors, with `edges` untouched: `not_prepared`, `invalid_image`, `size_mismatch`.
-  CannyResult run(GrayView gray, ImageView<std::uint8_t> edges) noexcept;
+  CannyResult run(GrayView gray, ImageView<std::uint8_t> edges) noexcept {
+    return run_with(gray, edges, [](std::int32_t count, auto work) {
+      for (std::int32_t i = 0; i < count; ++i) work(i);
+    });
+  }
+
+  /// The same with stripes at the same time: `for_each(count, work)` calls work(i) for every i below count,
+  /// in any order, on any threads, and comes back when all calls have. With more than one stripe `edges` must
+  /// not overlap `gray`: `invalid_image`.
+  template <class ForEach>
+  CannyResult run_with(GrayView gray, ImageView<std::uint8_t> edges, ForEach for_each) noexcept {
+    const Status status = check(gray, edges);
+    if (status != Status::ok) return {status};
+    const auto count = static_cast<std::int32_t>(memory_.stripes.size());
+    for_each(count, [&](std::int32_t i) { mark(i, gray, edges); });
+    join(edges);
+    for_each(count, [&](std::int32_t i) { spread(i, edges); });
+    return result();
+  }
 
  private:
   struct Memory {
-    detail::CannyRowMemory rows;
-    std::span<std::uint32_t> worklist;
-    std::span<std::uint8_t> class_row;     ///< whole words of 64 pixels
+    std::span<detail::CannyStripe> stripes;
     std::span<std::uint8_t> narrow_words;  ///< for rows too narrow to hold their bits
 
     static constexpr Memory take(Arena& arena, Size size, const CannyOptions& options,
                                  const CannyRowOptions& rows) noexcept {
-      const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
       Memory memory;
-      memory.rows = detail::CannyRowMemory::take(arena, size, options);
-      memory.worklist = arena.take<std::uint32_t>(std::min<std::size_t>(rows.worklist, pixels));
-      memory.class_row = arena.take<std::uint8_t>((static_cast<std::size_t>(size.width) + 63) / 64 * 64);
+      const std::int32_t count = detail::CannyStripe::count(size, rows);
+      memory.stripes = arena.take<detail::CannyStripe>(static_cast<std::size_t>(count));
+      for (std::int32_t i = 0; i < count; ++i) {
+        const detail::CannyStripe stripe = detail::CannyStripe::take(arena, size, options, rows, i);
+        if (!memory.stripes.empty()) memory.stripes[static_cast<std::size_t>(i)] = stripe;
+      }
       if (size.width < 16)
         memory.narrow_words = arena.take<std::uint8_t>(16 * static_cast<std::size_t>(size.height));
       return memory;
     }
   };
 
+  Status check(GrayView gray, ImageView<std::uint8_t> edges) const noexcept;
+  /// Steps 1 to 5 of a stripe, and step 6 inside of it.
+  void mark(std::int32_t index, GrayView gray, ImageView<std::uint8_t> edges) noexcept;
+  /// Step 6 across the seams.
+  void join(ImageView<std::uint8_t> edges) noexcept;
+  /// The end of step 6.
+  void spread(std::int32_t index, ImageView<std::uint8_t> edges) noexcept;
+  CannyResult result() const noexcept;
+
   bool prepared_ = false;
   Size size_;
   CannyOptions options_;
-  detail::CannyRowRecipe recipe_;
   const CannyRowKernels* kernels_ = nullptr;
   Memory memory_;
 };

@@ -91,6 +91,9 @@ struct CannyRowOptions {
   /// the time of pictures full of branching edges does.
   std::uint32_t worklist = 512;
   const CannyRowKernels* kernels = &plain_canny_row_kernels;  ///< not null
+  /// Parts of the picture that `FusedCanny` works on one by one or, by `run_with`, at the same time, at least
+  /// 1; each has its own rows and worklist. Edges are the same for any number.
+  std::int32_t stripes = 1;
 };
 
 }  // namespace straightedge

@@ -35,6 +35,10 @@ struct EdgeWords {
   std::int32_t words = 0;     ///< in a row
   std::int32_t height = 0;
 
+  /// Some of the rows.
+  EdgeWords rows(std::int32_t begin, std::int32_t end) const noexcept {
+    return {row(begin), stride, words, end - begin};
+  }
   std::uint8_t* row(std::int32_t y) const noexcept { return first + stride * y; }
   std::uint8_t* at(std::int32_t i, std::int32_t y) const noexcept {
     return row(y) + static_cast<std::ptrdiff_t>(EdgeWord::bytes) * i;

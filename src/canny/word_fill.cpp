@@ -39,7 +39,8 @@ std::uint64_t beside(std::uint64_t left, std::uint64_t middle, std::uint64_t rig
   return middle | (middle << 1U) | (middle >> 1U) | (left >> 63U) | (right << 63U);
 }
 
-// Runs of `open` pixels that touch `seeds`, which are some of them, or begin at the lowest bit when `carry` is
+// Runs of `open` pixels that touch `seeds`, which are some of them, or begin at the lowest bit when `carry`
+// is
 // 1. It becomes 1 when a run goes on in the word to the right.
 std::uint64_t runs_at(std::uint64_t open, std::uint64_t seeds, std::uint64_t& carry) noexcept {
   // To the right: the carry of an addition runs from the lowest seed to the end of the run.
@@ -77,9 +78,8 @@ void WordFill::flow_down(std::int32_t y) noexcept {
   }
 }
 
-void WordFill::finish() noexcept {
-  sweep_begin_ = 0;
-  std::int32_t end = words_.height;
+void WordFill::sweep_up(std::int32_t begin, std::int32_t end) noexcept {
+  sweep_begin_ = begin;
   while (sweep_begin_ < end) {
     left_begin_ = words_.height;
     left_end_ = 0;

@@ -32,8 +32,9 @@ class WordFill {
 
   /// Step 1 for row y: all rows, from the first to the last.
   void flow_down(std::int32_t y) noexcept;
-  /// The other steps.
-  void finish() noexcept;
+  /// The other steps, when all words that can grow are in rows begin to end − 1: after step 1 these are all
+  /// rows.
+  void sweep_up(std::int32_t begin, std::int32_t end) noexcept;
 
  private:
   void sweep_row() noexcept;

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/host/canny.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <span>
 
 #include "straightedge/canny_fused.hpp"
+#include "straightedge/host/parallel.hpp"
 
 namespace straightedge {
 namespace {
@@ -19,8 +21,8 @@ struct Workspace {
 };
 
 // Once, on a picture that is made for it.
-template <class Detector, class... More>
-CannyEdges run_once(GrayView gray, const CannyOptions& options, std::string_view kernels,
+template <class Detector, class Run, class... More>
+CannyEdges run_once(GrayView gray, const CannyOptions& options, std::string_view kernels, const Run& run,
                     const More&... more) {
   CannyEdges found;
   found.kernels = kernels;
@@ -29,21 +31,35 @@ CannyEdges run_once(GrayView gray, const CannyOptions& options, std::string_view
   found.result.status = Detector::prepare(detector, gray.size(), options, workspace.span, more...);
   if (found.result.status != Status::ok) return found;
   found.edges = Image<std::uint8_t>(gray.size());
-  found.result = detector.run(gray, found.edges.view());
+  found.result = run(detector, found.edges.view());
   return found;
 }
 
+/// Thinner stripes would spend their time on the rows that they share with their neighbours.
+constexpr std::int32_t least_rows = 32;
+
 }  // namespace
 
-CannyEdges canny(GrayView gray, const CannyOptions& options, const KernelSet& kernels) {
+CannyEdges canny(GrayView gray, const CannyOptions& options, const KernelSet& kernels, unsigned threads) {
   CannyEdges found;
   found.result.status = gray.valid() ? Canny::check(gray.size(), options) : Status::invalid_image;
   if (found.result.status != Status::ok) return found;
-  const CannyRowOptions rows{.kernels = kernels.canny_rows};
+  const auto most = static_cast<unsigned>(std::max<std::int32_t>(gray.height / least_rows, 1));
+  const unsigned stripes = std::min(threads == 0 ? processors() : threads, most);
+  const CannyRowOptions rows{.kernels = kernels.canny_rows, .stripes = static_cast<std::int32_t>(stripes)};
   if (FusedCanny::workspace_bytes(gray.size(), options, rows) > 0) {
-    return run_once<FusedCanny>(gray, options, kernels.name, rows);
+    ThreadPool pool(stripes);
+    const auto for_each = [&](std::int32_t count, auto work) {
+      pool.for_each_index(static_cast<std::size_t>(count),
+                          [&](std::size_t i, unsigned) { work(static_cast<std::int32_t>(i)); });
+    };
+    const auto run = [&](FusedCanny& detector, ImageView<std::uint8_t> edges) {
+      return detector.run_with(gray, edges, for_each);
+    };
+    return run_once<FusedCanny>(gray, options, kernels.name, run, rows);
   }
-  return run_once<Canny>(gray, options, "plain");
+  const auto run = [&](Canny& detector, ImageView<std::uint8_t> edges) { return detector.run(gray, edges); };
+  return run_once<Canny>(gray, options, "plain", run);
 }
 
 }  // namespace straightedge

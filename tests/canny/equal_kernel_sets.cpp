@@ -132,6 +132,21 @@ TEST_CASE("the one call gives what Canny gives, automatic thresholds too") {
   }
 }
 
+TEST_CASE("the one call gives the same with any number of threads") {
+  Pcg32 random(5, 62);
+  for (const Size size : {Size{1, 1}, Size{9, 31}, Size{64, 64}, Size{131, 333}}) {
+    const GrayImage gray = support::random_scene(size, random, 12);
+    const CannyEdges expected = canny(gray.view());
+    for (const unsigned threads : {0U, 2U, 3U, 8U, 1000U}) {
+      const CannyEdges found = canny(gray.view(), {}, best_kernels(), threads);
+      CAPTURE(size.width, size.height, threads);
+      CHECK(found.edges == expected.edges);
+      CHECK(found.result.strong == expected.result.strong);
+      CHECK(found.result.edges == expected.result.edges);
+    }
+  }
+}
+
 TEST_CASE("the one call: what it gives and what it refuses") {
   GrayImage gray({20, 10});
   for (int y = 0; y < 10; ++y) {

@@ -46,7 +46,7 @@ Filled fill_by_words(const GrayImage& classes, std::size_t worklist) {
   }
   WordFill fill(words, waiting);
   for (std::int32_t y = 0; y < words.height; ++y) fill.flow_down(y);
-  fill.finish();
+  fill.sweep_up(0, words.height);
   for (int y = 0; y < size.height; ++y) {
     filled.reached += kernels.spread_edges(words.row(y), filled.edges.view().row(y), size.width);
   }

@@ -29,7 +29,7 @@ class CannyRowRecipe {
     const Status status = Canny::check(size, options);
     if (status != Status::ok) return status;
     if (options.thresholds == CannyThresholds::automatic) return Status::invalid_option;
-    if (rows.worklist == 0) return Status::invalid_option;
+    if (rows.worklist == 0 || rows.stripes < 1) return Status::invalid_option;
     const auto pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
     return pixels > max_row_canny_pixels ? Status::too_large : Status::ok;
   }

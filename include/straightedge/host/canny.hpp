@@ -20,7 +20,9 @@ struct CannyEdges {
 /// Canny's edge detector in one line: takes its memory, runs once, gives everything back but the edges. Row
 /// by row in little memory (canny_fused.hpp) with the kernels given; automatic thresholds need the stages as
 /// whole pictures (canny.hpp), which are plain.
+/// `threads`: how many may work at once on stripes of the picture, 0 for one on each processor. The edges are
+/// the same for any number.
 /// For a stream of images of one size, keep a `FusedCanny` and its workspace instead.
-CannyEdges canny(GrayView gray, const CannyOptions& options = {}, const KernelSet& kernels = best_kernels());
+CannyEdges canny(GrayView gray, const CannyOptions& options = {}, const KernelSet& kernels = best_kernels(), unsigned threads = 1);
 
 }  // namespace straightedge
