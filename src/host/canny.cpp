@@ -30,7 +30,7 @@ CannyEdges run_once(GrayView gray, const CannyOptions& options, std::string_view
   Detector detector;
   found.result.status = Detector::prepare(detector, gray.size(), options, workspace.span, more...);
   if (found.result.status != Status::ok) return found;
-  found.edges = Image<std::uint8_t>(gray.size());
+  found.edges = Image<std::uint8_t>::for_overwrite(gray.size());
   found.result = run(detector, found.edges.view());
   return found;
 }

@@ -3,11 +3,36 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <new>
+#include <utility>
 #include <vector>
 
 #include "straightedge/image.hpp"
 
 namespace straightedge {
+
+namespace detail {
+
+/// Elements that are given no value have none, where std::allocator would clear them.
+template <class T>
+struct UnclearedAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = UnclearedAllocator<U>;
+  };
+  using std::allocator<T>::allocator;
+  template <class U>
+  void construct(U* place) noexcept {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <class U, class... Values>
+  void construct(U* place, Values&&... values) {
+    ::new (static_cast<void*>(place)) U(std::forward<Values>(values)...);
+  }
+};
+
+}  // namespace detail
 
 /// An image that owns its pixels, rows without gaps. Converts to the views that the core takes.
 template <class T>
@@ -17,6 +42,14 @@ class Image {
   explicit Image(Size size, T value = T{})
       : size_(size),
         pixels_(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), value) {}
+
+  /// One whose pixels are all to be written: until then they have no value.
+  static Image for_overwrite(Size size) {
+    Image image;
+    image.size_ = size;
+    image.pixels_.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+    return image;
+  }
 
   Size size() const noexcept { return size_; }
   std::int32_t width() const noexcept { return size_.width; }
@@ -34,7 +67,7 @@ class Image {
 
  private:
   Size size_;
-  std::vector<T> pixels_;
+  std::vector<T, detail::UnclearedAllocator<T>> pixels_;
 };
 
 struct Rgb {
