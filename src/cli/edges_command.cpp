@@ -12,6 +12,7 @@
 #include "cli/program.hpp"
 #include "cli/progress.hpp"
 #include "cli/streams.hpp"
+#include "cli/threads_option.hpp"
 #include "io/number_text.hpp"
 #include "straightedge/host/canny.hpp"
 #include "straightedge/host/image_file.hpp"
@@ -23,6 +24,7 @@ namespace {
 struct EdgesArguments {
   CommonArguments common;
   CannyArguments canny{CannyOptions{}};
+  std::int32_t threads = 1;
   std::string input;
   std::string output;
 };
@@ -35,7 +37,7 @@ Result<CannyEdges> find_edges(const std::filesystem::path& file, GrayView gray,
   const auto fits = check_memory(file, Canny::workspace_bytes(gray.size(), options) + 3 * pixels);
   if (!fits) return fits.failure();
   const Progress progress(file.string() + ": finding edges", arguments.common.quiet);
-  CannyEdges found = canny(gray, options, *kernels);
+  CannyEdges found = canny(gray, options, *kernels, static_cast<unsigned>(arguments.threads));
   if (found.result.status == Status::ok) return found;
   return Failure{Problem::internal, file.string() + ": " + to_string(found.result.status)};
 }
@@ -96,6 +98,7 @@ Command add_edges_command(CLI::App& program) {
       ->type_name("EDGES.png")
       ->required();
   arguments->canny.add_to(command);
+  add_threads(command, arguments->threads);
   add_common_options(command, arguments->common,
                      "size, thresholds used, pixels that are strong, pixels that are edges");
   return {&command, [arguments] { return run(*arguments); }};

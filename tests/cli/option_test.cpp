@@ -34,12 +34,14 @@ TEST_CASE("numbers that are none, or out of their range") {
   }
   for (const std::string text : {"-1", "1.5", "nan", "18446744073709551616", "1e3", ""}) {
     refused({"edges", "--seed", text}, "--seed");
+    refused({"edges", "--threads", text}, "--threads");
     refused({"lines", "--threshold", text}, "--threshold");
   }
   refused({"edges", "--sigma", "-0.1"}, "--sigma");
   refused({"edges", "--sigma", "50.1"}, "--sigma");
   refused({"edges", "--low", "-1"}, "--low");
   refused({"edges", "--aperture", "4"}, "--aperture");
+  refused({"edges", "--threads", "1025"}, "--threads");
   refused({"lines", "--min-length", "2.9"}, "--min-length");
   refused({"lines", "--window", "181"}, "--window");
   refused({"lines", "--resolution", "0"}, "--resolution");
@@ -145,5 +147,17 @@ TEST_CASE("kernels are forced by name, and no picture changes") {
   for (const std::string command : {"edges", "lines"}) {
     const Run unknown = run_program({command, picture, "-o", "-"}, {.kernels = "mmx"});
     CHECK(refusal(unknown, 2, "STRAIGHTEDGE_KERNELS").find("\"mmx\"; it has plain") != std::string::npos);
+  }
+}
+
+TEST_CASE("any number of threads gives the same picture of edges") {
+  const std::string picture = fixture("images/building.jpg");
+  const Run one = run_program({"edges", picture, "-o", "-"});
+  REQUIRE(one.code == 0);
+  for (const std::string threads : {"0", "1", "2", "7", "1024"}) {
+    const Run run = run_program({"edges", picture, "-o", "-", "--threads", threads});
+    CHECK(run.code == 0);
+    CHECK(run.out == one.out);
+    CHECK(run.err == one.err);
   }
 }
