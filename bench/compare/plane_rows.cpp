@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "alternation.hpp"
+#include "peers.hpp"
+#include "rows.hpp"
+#include "straightedge/host/kernels.hpp"
+#include "straightedge/host/plane_detector.hpp"
+#include "straightedge/inverse_depth.hpp"
+#include "straightedge/ransac_planes.hpp"
+
+namespace compare {
+namespace {
+
+using namespace straightedge;
+
+[[noreturn]] void fail(const std::string& what) {
+  std::fprintf(stderr, "%s\n", what.c_str());
+  std::exit(70);
+}
+
+/// Of the readings, those within the gate of any of the planes.
+double coverage(const Scene& scene, const Planes& planes) {
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < scene.cloud.size(); ++i) {
+    const Vector3 p = scene.cloud.at(i);
+    covered += std::any_of(planes.begin(), planes.end(), [&p](const Plane& plane) {
+      const double d = plane.signed_distance(p);
+      return d <= gate_m && d >= -gate_m;
+    });
+  }
+  return static_cast<double>(covered) / static_cast<double>(scene.cloud.size());
+}
+
+Planes planes_of(const std::vector<FoundPlane>& found, std::size_t count) {
+  Planes planes;
+  for (std::size_t i = 0; i < count; ++i) planes.push_back(found[i].fit.plane);
+  return planes;
+}
+
+/// RANSAC to the first plane, of the frame as the camera gives it or of the cloud.
+FindPlanes our_first_plane(const Scene& scene, bool from_cloud) {
+  struct Work {
+    std::vector<std::byte> memory;
+    RansacPlanes ransac;
+    Image<float> inverse_depth;
+    std::vector<FoundPlane> plane = std::vector<FoundPlane>(1);
+  };
+  auto work = std::make_shared<Work>();
+  const RansacOptions options{.gate = {.fixed_m = gate_m}};
+  work->memory.resize(RansacPlanes::workspace_bytes(scene.picture.size(), options));
+  if (RansacPlanes::prepare(work->ransac, scene.picture.size(), options, work->memory) != Status::ok)
+    fail("RANSAC cannot be prepared");
+  work->inverse_depth = Image<float>(scene.frame.raw.size());
+  return [work, &scene, from_cloud] {
+    Work& w = *work;
+    RansacPlanesResult result;
+    if (from_cloud) {
+      result = w.ransac.run(scene.cloud.view(), w.plane, {});
+    } else {
+      if (inverse_depth_image(scene.frame.depth(), w.inverse_depth.view()) != Status::ok) fail("a broken frame");
+      result = w.ransac.run(w.inverse_depth.view(), scene.frame.camera, w.plane, {});
+    }
+    return planes_of(w.plane, result.found.planes);
+  };
+}
+
+FindPlanes our_planes(const Scene& scene, PlaneMethod method) {
+  PlaneDetectorOptions options;
+  options.method = method;
+  options.frame.min_pixels = static_cast<std::uint32_t>(least_share * static_cast<double>(scene.cloud.size()));
+  auto made = PlaneDetector::create(scene.frame.raw.size(), options);
+  if (!made) fail(made.failure().sentence);
+  auto detector = std::make_shared<PlaneDetector>(std::move(*made));
+  return [detector, &scene] {
+    const auto found = detector->detect(scene.frame.depth());
+    if (!found) fail(found.failure().sentence);
+    return planes_of(found->planes, found->planes.size());
+  };
+}
+
+struct Contest {
+  std::string name;
+  FindPlanes ours;
+  double least_of_theirs;  ///< ours has to cover at least this share of what the peer's answer covers
+};
+
+void print_plane_row(const Scene& scene, const Contest& contest, const PlanePeer& peer, int rounds, Clock clock) {
+  Planes ours, theirs;
+  double our_share = 0, their_share = 0;
+  const FindPlanes find_theirs = peer.make(scene);
+  print_row({contest.name, scene.name, std::string(best_kernels().name), [&] { ours = contest.ours(); },
+             [&] { theirs = find_theirs(); },
+             [&] {
+               our_share = coverage(scene, ours);
+               their_share = coverage(scene, theirs);
+               return our_share >= contest.least_of_theirs * their_share;
+             },
+             peer.name,
+             [&] {
+               char text[80];
+               std::snprintf(text, sizeof(text), "%zu planes, %.3f; peer %zu, %.3f", ours.size(), our_share,
+                             theirs.size(), their_share);
+               return std::string(text);
+             }},
+            rounds, clock);
+}
+
+}  // namespace
+
+void print_first_plane_rows(int rounds) {
+  for (const Scene& scene : scenes()) {
+    for (const bool from_cloud : {false, true}) {
+      const Contest contest{from_cloud ? "first plane, cloud" : "first plane, frame",
+                            our_first_plane(scene, from_cloud), 0.98};
+      for (const PlanePeer& peer : first_plane_peers()) print_plane_row(scene, contest, peer, rounds, Clock::thread);
+    }
+  }
+}
+
+void print_all_planes_rows(int rounds) {
+  for (const Scene& scene : scenes()) {
+    const Contest ransac{"all planes, RANSAC", our_planes(scene, PlaneMethod::ransac), 0};
+    const Contest hough{"all planes, Hough", our_planes(scene, PlaneMethod::hough), 0};
+    for (const PlanePeer& peer : all_planes_peers()) print_plane_row(scene, ransac, peer, rounds, Clock::thread);
+    for (const PlanePeer& peer : all_planes_peers()) print_plane_row(scene, hough, peer, rounds, Clock::thread);
+  }
+}
+
+void print_threaded_plane_rows(int rounds) {
+  for (const Scene& scene : scenes()) {
+    const Contest contest{"first plane, cloud", our_first_plane(scene, true), 0.98};
+    for (const PlanePeer& peer : threaded_plane_peers()) print_plane_row(scene, contest, peer, rounds, Clock::wall);
+  }
+}
+
+}  // namespace compare
