@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene.hpp"
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "straightedge/octree.hpp"
@@ -16,7 +19,7 @@ namespace {
 using namespace straightedge;
 
 Scene scene_of(const char* name, bench::FixtureFrame frame) {
-  Scene scene{name, std::move(frame), {}, {}};
+  Scene scene{name, std::move(frame), {}, {}, {}};
   const ImageView<const std::uint16_t> raw = scene.frame.raw.view();
   const PinholeCamera& camera = scene.frame.camera;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -30,6 +33,22 @@ Scene scene_of(const char* name, bench::FixtureFrame frame) {
     }
   }
   return scene;
+}
+
+/// What the room is built of, seen from the camera.
+std::vector<Plane> room_truth(const Pose& world_from_camera) {
+  std::ifstream file(STRAIGHTEDGE_FIXTURES "/depth/room/truth.json");
+  const nlohmann::json json = nlohmann::json::parse(file);
+  const std::array<double, 9>& r = world_from_camera.rotation;
+  std::vector<Plane> truth;
+  for (const auto& entry : json.at("planes")) {
+    const std::array<double, 3> at = entry.at("normal");
+    const Vector3 n{at[0], at[1], at[2]};
+    const Vector3 columns[] = {{r[0], r[3], r[6]}, {r[1], r[4], r[7]}, {r[2], r[5], r[8]}};
+    truth.push_back({{dot(columns[0], n), dot(columns[1], n), dot(columns[2], n)},
+                     entry.at("distance").get<double>() - dot(n, world_from_camera.translation)});
+  }
+  return truth;
 }
 
 }  // namespace
@@ -54,6 +73,7 @@ std::vector<Scene> scenes() {
   std::vector<Scene> all;
   all.push_back(scene_of("office", bench::office_frames().front()));
   all.push_back(scene_of("room", bench::room_frames().front()));
+  all.back().truth = room_truth(all.back().frame.world_from_camera);
   return all;
 }
 

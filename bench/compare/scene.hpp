@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fixture_frames.hpp"
+#include "straightedge/plane.hpp"
 #include "straightedge/points_view.hpp"
 
 namespace compare {
@@ -26,6 +27,7 @@ struct Scene {
   bench::FixtureFrame frame;
   Points picture;  ///< a point a pixel, not a number where there is no reading
   Points cloud;    ///< the readings alone
+  std::vector<straightedge::Plane> truth;  ///< in the camera's frame, where it is known
 };
 
 /// The shipped frame of an office, and the first of the room.

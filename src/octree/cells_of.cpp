@@ -21,20 +21,23 @@ void cells_of_axis(const float* coordinates, std::size_t count, double origin, d
 
 void cells_of(const PointsView& view, const OctreeGrid& grid, std::size_t begin, std::size_t count,
               CellBatch& cells) noexcept {
+  cells.x[0] = cells.x[CellBatch::size];
+  cells.y[0] = cells.y[CellBatch::size];
+  cells.z[0] = cells.z[CellBatch::size];
   const double scale = 1 / grid.leaf_m;
   const Vector3& origin = grid.origin;
   if (view.stride == static_cast<std::ptrdiff_t>(sizeof(float))) {
-    cells_of_axis(view.x + begin, count, origin.x, scale, cells.x);
-    cells_of_axis(view.y + begin, count, origin.y, scale, cells.y);
-    cells_of_axis(view.z + begin, count, origin.z, scale, cells.z);
+    cells_of_axis(view.x + begin, count, origin.x, scale, cells.x + 1);
+    cells_of_axis(view.y + begin, count, origin.y, scale, cells.y + 1);
+    cells_of_axis(view.z + begin, count, origin.z, scale, cells.z + 1);
     return;
   }
   for (std::size_t i = 0; i < count; ++i) {
     MortonCell cell;
     const bool inside = grid.cell_of(view.at(begin + i), cell);
-    cells.x[i] = inside ? static_cast<std::int32_t>(cell.x) : -1;
-    cells.y[i] = inside ? static_cast<std::int32_t>(cell.y) : -1;
-    cells.z[i] = inside ? static_cast<std::int32_t>(cell.z) : -1;
+    cells.x[i + 1] = inside ? static_cast<std::int32_t>(cell.x) : -1;
+    cells.y[i + 1] = inside ? static_cast<std::int32_t>(cell.y) : -1;
+    cells.z[i + 1] = inside ? static_cast<std::int32_t>(cell.z) : -1;
   }
 }
 

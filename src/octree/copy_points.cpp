@@ -5,37 +5,61 @@
 #include "octree/sort_points.hpp"
 
 namespace straightedge::octree {
+namespace {
+
+// Four words that are treated alike, as in near_points.hpp.
+using Words4 = std::uint32_t __attribute__((vector_size(16)));
+
+constexpr Words4 lanes{0, 1, 2, 3};
+
+/// Writes the lanes from `lane` on.
+void put(std::uint32_t* to, const Words4& from, std::uint32_t lane) noexcept {
+  Words4 there;
+  std::memcpy(&there, to, sizeof(there));
+  const auto mine = lanes >= lane;
+  const Words4 both = mine ? from : there;
+  std::memcpy(to, &both, sizeof(both));
+}
+
+Words4 four_of(const float* coordinates, std::size_t i) noexcept {
+  Words4 four;
+  std::memcpy(&four, coordinates + i, sizeof(four));
+  return four;
+}
+
+}  // namespace
 
 void BlockWriter::write_one(std::size_t i) noexcept {
   const Vector3 p = view_.at(i);
   OctreePoint{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z),
               first_index_ + static_cast<std::uint32_t>(i)}
-      .write(block_, place_ % octree_block_points);
-  if (++place_ % octree_block_points == 0)
-    std::memcpy(&memory_[(place_ - octree_block_points) * octree_point_words], block_, sizeof(block_));
+      .write(memory_, place_++);
 }
 
-void BlockWriter::write_block(std::size_t first) noexcept {
-  std::uint32_t* const block = &memory_[place_ * octree_point_words];
-  std::memcpy(block, view_.x + first, sizeof(float) * octree_block_points);
-  std::memcpy(block + 4, view_.y + first, sizeof(float) * octree_block_points);
-  std::memcpy(block + 8, view_.z + first, sizeof(float) * octree_block_points);
-  for (std::size_t i = 0; i < octree_block_points; ++i)
-    block[12 + i] = first_index_ + static_cast<std::uint32_t>(first + i);
-  place_ += octree_block_points;
+/// Whether whole blocks can be read around the points.
+bool BlockWriter::readable(std::size_t first, std::size_t end) const noexcept {
+  return view_.stride == static_cast<std::ptrdiff_t>(sizeof(float)) && first >= octree_block_points &&
+         end + octree_block_points <= view_.count;
 }
 
 void BlockWriter::write(std::size_t first, std::size_t end) noexcept {
-  while (first < end && place_ % octree_block_points != 0) write_one(first++);
-  if (view_.stride == static_cast<std::ptrdiff_t>(sizeof(float)))
-    for (; end - first >= octree_block_points; first += octree_block_points) write_block(first);
-  while (first < end) write_one(first++);
-}
-
-void BlockWriter::finish() noexcept {
-  if (place_ % octree_block_points == 0) return;
-  const std::size_t begin = place_ - place_ % octree_block_points;
-  std::memcpy(&memory_[begin * octree_point_words], block_, sizeof(block_));
+  if (!readable(first, end)) {
+    while (first < end) write_one(first++);
+    return;
+  }
+  const auto count = static_cast<std::uint32_t>(end - first);
+  std::uint32_t lane = place_ % octree_block_points;
+  // The point that the block's first lane would hold.
+  std::size_t from = first - lane;
+  std::uint32_t* block = &memory_[(place_ - lane) * octree_point_words];
+  for (; from < end; from += octree_block_points, block += octree_block_points * octree_point_words) {
+    put(block, four_of(view_.x, from), lane);
+    put(block + 4, four_of(view_.y, from), lane);
+    put(block + 8, four_of(view_.z, from), lane);
+    put(block + 12, first_index_ + static_cast<std::uint32_t>(from) + lanes, lane);
+    lane = 0;
+  }
+  place_ += count;
 }
 
 }  // namespace straightedge::octree

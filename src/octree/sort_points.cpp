@@ -18,51 +18,87 @@ struct Runs {
   std::uint64_t any = 0;      ///< bits that some code has
 };
 
-/// Step 1, point by point: writes a pair for each run that has ended.
+/// Bit i to bit 3 i, of nine bits.
+constexpr std::uint32_t spread_nine(std::uint32_t v) noexcept {
+  v &= 0x1ff;
+  v = (v | (v << 16U)) & 0x0300'00ff;
+  v = (v | (v << 8U)) & 0x0300'f00f;
+  v = (v | (v << 4U)) & 0x030c'30c3;
+  return (v | (v << 2U)) & 0x0924'9249;
+}
+
+/// Cells at which runs start, a batch at a time and without branches: where runs end is anybody's guess.
+struct RunStarts {
+  std::uint32_t at[CellBatch::size];  ///< place in the batch
+  std::uint32_t x[CellBatch::size], y[CellBatch::size], z[CellBatch::size];
+  std::uint32_t part[CellBatch::size];  ///< of the code, its lowest nine levels
+  std::uint32_t count = 0;
+
+  void find(const CellBatch& cells, std::size_t points) noexcept {
+    count = 0;
+    for (std::size_t i = 0; i < points; ++i) {
+      at[count] = static_cast<std::uint32_t>(i);
+      count += cells.differs(i) ? 1U : 0U;
+    }
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const MortonCell cell = cells.at(at[k]);
+      x[k] = cell.x;
+      y[k] = cell.y;
+      z[k] = cell.z;
+    }
+    for (std::uint32_t k = 0; k < count; ++k)
+      part[k] = spread_nine(x[k]) | spread_nine(y[k]) << 1U | spread_nine(z[k]) << 2U;
+  }
+  bool outside(std::uint32_t k) const noexcept { return static_cast<std::int32_t>(x[k] | y[k] | z[k]) < 0; }
+};
+
+/// Step 1: writes a pair for each run that has ended.
 class RunReader {
  public:
   RunReader(std::uint32_t most, const Pairs& pairs) noexcept : most_(most), pairs_(pairs) {}
 
-  /// Points `begin` and on; false when they are too many.
-  bool read(const CellBatch& cells, std::size_t begin, std::size_t count) noexcept {
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool same = ((cells.x[i] ^ x_) | (cells.y[i] ^ y_) | (cells.z[i] ^ z_)) == 0;
-      if (same && begin + i - first_ < SortedRuns::most_points) continue;
-      if (!end(begin + i)) return false;
-      first_ = begin + i;
-      x_ = cells.x[i];
-      y_ = cells.y[i];
-      z_ = cells.z[i];
+  /// Runs that start in the batch whose first point is `begin`.
+  void read(const RunStarts& starts, std::size_t begin) noexcept {
+    for (std::uint32_t k = 0; k < starts.count; ++k) {
+      end(begin + starts.at[k]);
+      first_ = begin + starts.at[k];
+      inside_ = !starts.outside(k);
+      part_ = starts.part[k];
+      if (!inside_) continue;
+      const MortonCell cell{starts.x[k], starts.y[k], starts.z[k]};
+      all_ = {all_.x & cell.x, all_.y & cell.y, all_.z & cell.z};
+      any_ = {any_.x | cell.x, any_.y | cell.y, any_.z | cell.z};
     }
-    return true;
-  }
-  /// The run at hand ends before point `next`.
-  bool end(std::size_t next) noexcept {
-    if ((x_ | y_ | z_) < 0) return true;
-    const auto length = static_cast<std::uint32_t>(next - first_);
-    if (length > most_ - runs_.points) return false;
-    runs_.points += length;
-    const std::uint64_t code = morton_encode(
-        {static_cast<std::uint32_t>(x_), static_cast<std::uint32_t>(y_), static_cast<std::uint32_t>(z_)});
-    all_ &= code;
-    runs_.any |= code;
-    const auto part = static_cast<std::uint32_t>(code) & part_mask;
-    pairs_.set(runs_.count++,
-               {part | (length - 1) << SortedRuns::code_bits, static_cast<std::uint32_t>(first_)});
-    return true;
   }
   Runs finish(std::size_t count) noexcept {
-    runs_.fit = end(count);
-    runs_.varying = runs_.count == 0 ? 0 : all_ ^ runs_.any;
+    end(count);
+    runs_.any = morton_encode(any_);
+    runs_.varying = runs_.count == 0 ? 0 : runs_.any ^ morton_encode(all_);
     return runs_;
   }
 
  private:
+  /// The run at hand ends before point `next`.
+  void end(std::size_t next) noexcept {
+    if (!inside_ || !runs_.fit) return;
+    const std::size_t length = next - first_;
+    runs_.fit = length <= most_ - runs_.points;
+    if (!runs_.fit) return;
+    runs_.points += static_cast<std::uint32_t>(length);
+    for (std::size_t left = length; left > 0;) {
+      const std::size_t piece = left < SortedRuns::most_points ? left : SortedRuns::most_points;
+      const auto from = static_cast<std::uint32_t>(next - left);
+      pairs_.set(runs_.count++, {part_ | static_cast<std::uint32_t>(piece - 1) << SortedRuns::code_bits, from});
+      left -= piece;
+    }
+  }
+
   std::uint32_t most_;
   Pairs pairs_;
   Runs runs_;
-  std::uint64_t all_ = morton_codes - 1;
-  std::int32_t x_ = -1, y_ = -1, z_ = -1;
+  MortonCell all_{morton_side - 1, morton_side - 1, morton_side - 1}, any_;
+  bool inside_ = false;
+  std::uint32_t part_ = 0;
   std::size_t first_ = 0;
 };
 
@@ -70,11 +106,13 @@ Runs read_runs(const PointsView& view, const OctreeGrid& grid, std::uint32_t mos
                const Pairs& pairs) noexcept {
   RunReader reader(most, pairs);
   CellBatch cells;
+  RunStarts starts;
   for (std::size_t begin = 0; begin < view.count; begin += CellBatch::size) {
     const std::size_t left = view.count - begin;
     const std::size_t count = left < CellBatch::size ? left : CellBatch::size;
     cells_of(view, grid, begin, count, cells);
-    if (!reader.read(cells, begin, count)) return {false, 0, 0, 0, 0};
+    starts.find(cells, count);
+    reader.read(starts, begin);
   }
   return reader.finish(view.count);
 }
@@ -110,7 +148,7 @@ SortedRuns sort_runs(const PointsView& view, const OctreeGrid& grid, std::uint32
   // Step 2: nine levels at a time, so that a pair takes 8 bytes, and pairs in two places 16, as points do.
   const std::size_t pair_words = 2 * std::size_t{runs.count};
   const Pairs front(memory.first(pair_words));
-  const Pairs back(memory.first(octree_point_words * runs.points).last(pair_words));
+  const Pairs back(memory.first(octree_point_words * (runs.points + octree_block_points - 1)).last(pair_words));
   Pairs pairs = front;
   for (unsigned shift = 0; shift == 0 || runs.varying >> shift != 0; shift += SortedRuns::code_bits) {
     if (shift > 0) read_part(view, grid, shift, pairs);

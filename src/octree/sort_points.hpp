@@ -25,44 +25,46 @@ struct SortedRuns {
   std::uint32_t points = 0;  ///< in the cube
   bool one_part = true;      ///< codes differ within the nine lowest levels alone
   std::uint64_t above = 0;   ///< the part of the code above them, if so
-  Pairs pairs;               ///< at the end of the memory that so many points take
+  Pairs pairs;               ///< at the end of the memory that so many points take, and three more
 
   static std::uint32_t length(std::uint32_t key) noexcept { return (key >> code_bits) + 1; }
   std::uint64_t code(const Pairs::Pair& run, const PointsView& view, const OctreeGrid& grid) const noexcept;
 };
 
-/// Steps 1 and 2, in memory for `most` points.
+/// Steps 1 and 2, in memory for `most` points and octree_spare_points.
 SortedRuns sort_runs(const PointsView& view, const OctreeGrid& grid, std::uint32_t most,
                      std::span<std::uint32_t> memory, std::span<std::uint32_t> counts) noexcept;
 
-/// Points that are written one after another, by full blocks.
+/// Points that are written one after another. A block is written whole, up to three places too far.
 class BlockWriter {
  public:
   BlockWriter(const PointsView& view, std::uint32_t first_index, std::span<std::uint32_t> memory) noexcept
       : view_(view), first_index_(first_index), memory_(memory) {}
 
   std::uint32_t place() const noexcept { return place_; }
+  /// Asks for point i, which will be written soon: runs lie anywhere in the view.
+  void prefetch(std::size_t i) const noexcept {
+    const std::ptrdiff_t offset = static_cast<std::ptrdiff_t>(i) * view_.stride;
+    __builtin_prefetch(reinterpret_cast<const unsigned char*>(view_.x) + offset);
+    __builtin_prefetch(reinterpret_cast<const unsigned char*>(view_.y) + offset);
+    __builtin_prefetch(reinterpret_cast<const unsigned char*>(view_.z) + offset);
+  }
   /// Points `first` to `end` of the view.
   void write(std::size_t first, std::size_t end) noexcept;
-  /// What is left of a block.
-  void finish() noexcept;
 
  private:
-  static constexpr std::size_t block_words = octree_block_points * octree_point_words;
-
+  bool readable(std::size_t first, std::size_t end) const noexcept;
   void write_one(std::size_t i) noexcept;
-  void write_block(std::size_t first) noexcept;
 
   PointsView view_;
   std::uint32_t first_index_;
   std::span<std::uint32_t> memory_;
   std::uint32_t place_ = 0;
-  std::uint32_t block_[block_words] = {};
 };
 
 /// Step 3: copies the points of the runs to the start of the same memory and calls leaf(code, place) for the
-/// first point of each cell. Each run that waits has a point and takes half of its room, and points are
-/// written by full blocks: no run is written over before it has been read.
+/// first point of each cell. Each run that waits has a point and takes half of its room, and stands three places
+/// behind it: no run is written over before it has been read.
 template <class Leaf>
 void copy_points(const SortedRuns& runs, const PointsView& view, const OctreeGrid& grid,
                  std::uint32_t first_index, std::span<std::uint32_t> memory, Leaf leaf) noexcept {
@@ -70,12 +72,13 @@ void copy_points(const SortedRuns& runs, const PointsView& view, const OctreeGri
   std::uint64_t last = morton_codes;
   for (std::size_t i = 0; i < runs.pairs.size(); ++i) {
     const Pairs::Pair run = runs.pairs[i];
+    constexpr std::size_t ahead = 12;
+    if (i + ahead < runs.pairs.size()) writer.prefetch(runs.pairs[i + ahead].index);
     const std::uint64_t code = runs.code(run, view, grid);
     if (code != last) leaf(code, writer.place());
     last = code;
     writer.write(run.index, run.index + std::size_t{SortedRuns::length(run.key)});
   }
-  writer.finish();
 }
 
 }  // namespace straightedge::octree
