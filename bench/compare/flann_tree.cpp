@@ -16,8 +16,7 @@ std::vector<float> in_rows(const Points& points) {
 
 }  // namespace
 
-/// The exact tree that PCL's k-d tree is, too, with its parameters; all positions in one call, which is the
-/// fastest way to ask.
+/// The exact tree that PCL's k-d tree is, too, with its parameters.
 PointIndex flann_tree(const Points& cloud) {
   using Tree = flann::Index<flann::L2_Simple<float>>;
   auto rows = std::make_shared<std::vector<float>>(in_rows(cloud));
@@ -30,15 +29,17 @@ PointIndex flann_tree(const Points& cloud) {
             (*tree)->buildIndex();
           },
           [tree](const Points& positions, std::vector<double>& squared) {
-            std::vector<float> asked = in_rows(positions), distances(positions.size());
-            std::vector<int> indices(positions.size());
-            const flann::Matrix<float> queries(asked.data(), positions.size(), 3);
-            flann::Matrix<int> found(indices.data(), positions.size(), 1);
-            flann::Matrix<float> far(distances.data(), positions.size(), 1);
             flann::SearchParams exact(flann::FLANN_CHECKS_UNLIMITED, 0, false);
             exact.cores = 1;
-            (*tree)->knnSearch(queries, found, far, 1, exact);
-            squared.assign(distances.begin(), distances.end());
+            int index = 0;
+            float distance = 0;
+            flann::Matrix<int> found(&index, 1, 1);
+            flann::Matrix<float> far(&distance, 1, 1);
+            for (std::size_t i = 0; i < positions.size(); ++i) {
+              float at[] = {positions.x[i], positions.y[i], positions.z[i]};
+              (*tree)->knnSearch(flann::Matrix<float>(at, 1, 3), found, far, 1, exact);
+              squared[i] = static_cast<double>(distance);
+            }
           }};
 }
 
