@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // How long planes of depth frames take, beside what is aimed at, as a Markdown table:
-//   bench_targets [RUNS, default 21]
+//   bench_targets [RUNS, default 21 | --shape: rows without measuring]
 // Processor time of one thread. A frame's time is the median of its runs, a folder's that of its frames; the
 // slower folder decides. The two old times are those of the thesis that the library began with: RANSAC to the
 // first plane of a frame, the 3D Hough transform to a plane.
@@ -176,7 +176,7 @@ void print_row(const Target& target, double room, double office) {
   std::printf("| %s | %.2f | %.2f | %g %s | %s | ", target.what, room, office, target.bar, target.unit,
               slower <= target.bar ? "met" : "missed");
   if (target.thesis > 0) {
-    std::printf("%.0f ms | %.0f |\n", target.thesis, target.thesis / slower);
+    std::printf("%.0f ms | %.0f |\n", target.thesis, slower > 0 ? target.thesis / slower : 0);
   } else {
     std::printf("– | – |\n");
   }
@@ -185,13 +185,15 @@ void print_row(const Target& target, double room, double office) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int runs = argc > 1 ? std::atoi(argv[1]) : 21;
+  const bool shape = argc > 1 && std::string(argv[1]) == "--shape";
+  const int runs = argc > 1 && !shape ? std::atoi(argv[1]) : 21;
   if (runs < 1 || argc > 2) {
-    std::fprintf(stderr, "bench_targets [RUNS]: how often each frame is measured, 1 and up\n");
+    std::fprintf(stderr, "bench_targets [RUNS | --shape]: how often each frame is measured, 1 and up\n");
     return 2;
   }
   const Frames room = bench::room_frames(), office = bench::office_frames();
   std::printf("| a frame of 640x480 | room | office | bar | | thesis | times faster |\n");
-  std::printf("| --- | ---: | ---: | ---: | --- | ---: | ---: |\n");
-  for (const Target& target : targets(runs)) print_row(target, target.measure(room), target.measure(office));
+  std::printf("| --- | ---: | ---: | --- | :---: | ---: | ---: |\n");
+  for (const Target& target : targets(runs))
+    print_row(target, shape ? 0 : target.measure(room), shape ? 0 : target.measure(office));
 }

@@ -15,7 +15,7 @@ namespace compare {
 namespace {
 
 /// A row is not worth more.
-constexpr double most_ms_a_row = 4000;
+constexpr double most_ms_a_row = 2000;
 
 double now_ms(Clock clock) {
   if (clock == Clock::thread) return bench::thread_ms();
