@@ -67,10 +67,11 @@ std::string number(double value) {
 void print_jobs(const Run& run) {
   constexpr Size vga{640, 480}, full_hd{1920, 1080};
   constexpr int points = 5;
-  const Job jobs[] = {canny_job(vga),         canny_job(full_hd),      hough_job(vga),       hough_job(full_hd),
-                      line_map_job(vga),      line_map_job(full_hd),   first_plane_job(vga), ransac_planes_job(vga),
-                      hough_planes_job(vga),  register_job(vga),       cloud_plane_job(points),
-                      octree_job(points),     nearest_job(points)};
+  const Job jobs[] = {canny_job(vga),       canny_job(full_hd),      hough_job(vga),
+                      hough_job(full_hd),   line_map_job(vga),       line_map_job(full_hd),
+                      first_plane_job(vga), ransac_planes_job(vga),  hough_planes_job(vga),
+                      register_job(vga),    cloud_plane_job(points), octree_job(points),
+                      nearest_job(points)};
   constexpr const char* names[] = {"plain", "sse2", "avx2", "avx512"};
   std::printf("table jobs\n| job | size | plain, ms | sse2, ms | avx2, ms | avx512, ms |\n");
   std::printf("| --- | --- | ---: | ---: | ---: | ---: |\n");
@@ -141,17 +142,19 @@ void print_floors(const Run& run) {
       least = times[0];
       job = times[1];
     }
-    std::printf("| %s | %s | %s | %s | %s |\n", floor.job.name.c_str(), floor.what.c_str(), number(least).c_str(),
-                number(job).c_str(), number(least > 0 ? job / least : 0).c_str());
+    std::printf("| %s | %s | %s | %s | %s |\n", floor.job.name.c_str(), floor.what.c_str(),
+                number(least).c_str(), number(job).c_str(), number(least > 0 ? job / least : 0).c_str());
   }
 }
 
 void print_fused(const Run& run) {
-  std::printf("table fma\n| loop, AVX2 | as it is, ms | fused, ms | times faster |\n| --- | ---: | ---: | ---: |\n");
+  std::printf(
+      "table fma\n| loop, AVX2 | as it is, ms | fused, ms | times faster |\n| --- | ---: | ---: | ---: |\n");
   for (const Fused& loop : fused_loops()) {
-    const auto times = run.mode == Mode::shape ? std::vector<double>{0, 0} : measure({loop.separate, loop.fused}, run);
-    std::printf("| %s | %s | %s | %.2f |\n", loop.loop.c_str(), number(times[0]).c_str(), number(times[1]).c_str(),
-                times[1] > 0 ? times[0] / times[1] : 0);
+    const auto times =
+        run.mode == Mode::shape ? std::vector<double>{0, 0} : measure({loop.separate, loop.fused}, run);
+    std::printf("| %s | %s | %s | %.2f |\n", loop.loop.c_str(), number(times[0]).c_str(),
+                number(times[1]).c_str(), times[1] > 0 ? times[0] / times[1] : 0);
   }
 }
 

@@ -44,9 +44,8 @@ constexpr float plane[] = {0.1F, 0.2F, 0.3F, 0.1F};
 
 template <class Score>
 Call scoring(Score score) {
-  return over_points([score](const float* x, const float* y, const float* z) {
-    return score(x, y, z, pixels, plane);
-  });
+  return over_points(
+      [score](const float* x, const float* y, const float* z) { return score(x, y, z, pixels, plane); });
 }
 template <class Sum>
 Call summing(Sum sum) {
@@ -66,9 +65,11 @@ std::vector<Floor> floors() {
   all.push_back({"read the depth: a copy of 0.6 MB", copy(2 * pixels), first_plane_job(frame)});
 #ifdef SPEED_HAS_LOOPS
   if (__builtin_cpu_supports("avx2"))
-    all.push_back({"one plane scored on every reading", scoring(separate::score_plane), first_plane_job(frame)});
+    all.push_back(
+        {"one plane scored on every reading", scoring(separate::score_plane), first_plane_job(frame)});
 #endif
-  all.push_back({"read the depth, write the labels: a copy of 0.6 MB", copy(2 * pixels), ransac_planes_job(frame)});
+  all.push_back(
+      {"read the depth, write the labels: a copy of 0.6 MB", copy(2 * pixels), ransac_planes_job(frame)});
   all.push_back({"the same", copy(2 * pixels), hough_planes_job(frame)});
   constexpr int power = 6, bytes_a_point = 16;
   all.push_back({"write 10^6 points with their indices: a copy of 16 MB",
@@ -79,9 +80,10 @@ std::vector<Floor> floors() {
 std::vector<Fused> fused_loops() {
 #ifdef SPEED_HAS_LOOPS
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    return {{"one plane scored on 307 200 points", scoring(separate::score_plane), scoring(fused::score_plane)},
-            {"six products summed over 307 200 points", summing(separate::sum_products),
-             summing(fused::sum_products)}};
+    return {
+        {"one plane scored on 307 200 points", scoring(separate::score_plane), scoring(fused::score_plane)},
+        {"six products summed over 307 200 points", summing(separate::sum_products),
+         summing(fused::sum_products)}};
 #endif
   return {};
 }

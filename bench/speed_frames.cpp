@@ -81,7 +81,8 @@ Job register_job(Size size) {
             auto found = std::make_shared<DetectedPlanes>(w->detect());
             return [w, found] {
               PlaneMapBuilder builder;
-              need(static_cast<bool>(builder.add(w->frame.depth(), found->labels, found->planes, {})), "no map");
+              need(static_cast<bool>(builder.add(w->frame.depth(), found->labels, found->planes, {})),
+                   "no map");
             };
           }};
 }

@@ -38,11 +38,12 @@ Job canny_job(Size size) {
 }
 
 Job hough_job(Size size) {
-  return {"progressive Hough", text_of(size), pixels_of(size), "pixel", [size](const KernelSet& set) -> Call {
-            auto edges = std::make_shared<Image<std::uint8_t>>(
-                canny(make_picture({Picture::photo, size}), {}, set).edges);
-            return [edges] { need(!hough_lines(edges->view(), {.threshold = 50}).segments.empty(), "no lines"); };
-          }};
+  return {
+      "progressive Hough", text_of(size), pixels_of(size), "pixel", [size](const KernelSet& set) -> Call {
+        auto edges =
+            std::make_shared<Image<std::uint8_t>>(canny(make_picture({Picture::photo, size}), {}, set).edges);
+        return [edges] { need(!hough_lines(edges->view(), {.threshold = 50}).segments.empty(), "no lines"); };
+      }};
 }
 
 Job line_map_job(Size size) {

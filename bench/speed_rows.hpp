@@ -11,7 +11,8 @@
 #include "straightedge/host/kernels.hpp"
 #include "straightedge/image.hpp"
 
-/// What the rows of bench_speed are made of. A job is prepared outside the time and then called again and again.
+/// What the rows of bench_speed are made of. A job is prepared outside the time and then called again and
+/// again.
 namespace bench::speed {
 
 using Call = std::function<void()>;
@@ -19,8 +20,8 @@ using Prepare = std::function<Call(const straightedge::KernelSet&)>;
 
 struct Job {
   std::string name;
-  std::string size;    ///< "640x480", "10^5 points"
-  double items = 0;    ///< pixels, points or queries that a call works on
+  std::string size;  ///< "640x480", "10^5 points"
+  double items = 0;  ///< pixels, points or queries that a call works on
   const char* item = "pixel";
   Prepare prepare;
 };

@@ -6,12 +6,12 @@
 #include "pictures.hpp"
 #include "speed_rows.hpp"
 #include "straightedge/canny.hpp"
-#include "straightedge/host/line_map_builder.hpp"
-#include "straightedge/inverse_depth.hpp"
 #include "straightedge/gaussian.hpp"
-#include "straightedge/hysteresis.hpp"
-#include "straightedge/magnitude.hpp"
+#include "straightedge/host/line_map_builder.hpp"
 #include "straightedge/hough_plane_patches.hpp"
+#include "straightedge/hysteresis.hpp"
+#include "straightedge/inverse_depth.hpp"
+#include "straightedge/magnitude.hpp"
 #include "straightedge/ransac_search.hpp"
 #include "straightedge/sobel.hpp"
 #include "straightedge/suppress.hpp"
@@ -59,8 +59,8 @@ Stages canny_stages() {
           {canny_stage("blur",
                        [](Edges& e) {
                          Arena arena(e.scratch);
-                         const auto scratch =
-                             GaussianScratch::take(arena, size.width, static_cast<std::int32_t>(e.taps.size()));
+                         const auto scratch = GaussianScratch::take(arena, size.width,
+                                                                    static_cast<std::int32_t>(e.taps.size()));
                          return gaussian_blur(e.gray, e.taps, Border::reflect_101, scratch, e.bytes.view());
                        }),
            canny_stage("gradient",
@@ -72,14 +72,15 @@ Stages canny_stages() {
                        }),
            canny_stage("magnitude",
                        [](Edges& e) {
-                         return gradient_magnitude(e.canny.gradient_x(), e.canny.gradient_y(), canny_options.norm,
-                                                   e.magnitude.view());
+                         return gradient_magnitude(e.canny.gradient_x(), e.canny.gradient_y(),
+                                                   canny_options.norm, e.magnitude.view());
                        }),
            canny_stage("suppression",
                        [](Edges& e) {
-                         return suppress_non_maxima(e.canny.gradient_x(), e.canny.gradient_y(), e.canny.magnitude(),
-                                                    static_cast<std::int32_t>(canny_options.low),
-                                                    static_cast<std::int32_t>(canny_options.high), e.bytes.view());
+                         return suppress_non_maxima(
+                             e.canny.gradient_x(), e.canny.gradient_y(), e.canny.magnitude(),
+                             static_cast<std::int32_t>(canny_options.low),
+                             static_cast<std::int32_t>(canny_options.high), e.bytes.view());
                        }),
            canny_stage("hysteresis", [](Edges& e) {
              return hysteresis(e.canny.suppressed(), e.stack, e.edges.view()).status;
@@ -94,7 +95,8 @@ Job inverse_depth_job() {
             };
             auto w = std::make_shared<Work>();
             return [w] {
-              need(inverse_depth_image(w->frame.depth(), w->inverse_depth.view()) == Status::ok, "a broken frame");
+              need(inverse_depth_image(w->frame.depth(), w->inverse_depth.view()) == Status::ok,
+                   "a broken frame");
             };
           }};
 }
@@ -113,7 +115,8 @@ Job ransac_search_job() {
   return {"search for planes", text_of(size), pixels_of(size), "pixel", [](const KernelSet&) -> Call {
             auto w = std::make_shared<SearchWork<RansacSearch>>();
             return [w] {
-              need(w->search.run(w->scene.inverse_depth.view(), {}, w->candidates).status == Status::ok, "no search");
+              need(w->search.run(w->scene.inverse_depth.view(), {}, w->candidates).status == Status::ok,
+                   "no search");
             };
           }};
 }

@@ -160,7 +160,8 @@ std::vector<Target> targets(int runs) {
     return memory_mb(f, builder);
   };
   return {
-      {"first plane, RANSAC", "ms", 0.15, ransac_thesis_ms, [=](const Frames& f) { return first_plane_ms(f, runs); }},
+      {"first plane, RANSAC", "ms", 0.15, ransac_thesis_ms,
+       [=](const Frames& f) { return first_plane_ms(f, runs); }},
       {"planes of 5 %, labels, RANSAC", "ms", 0.6, ransac_thesis_ms, all(PlaneMethod::ransac, true)},
       {"planes of 1000 pixels, labels, RANSAC", "ms", 2.4, ransac_thesis_ms, all(PlaneMethod::ransac, false)},
       {"planes of 5 %, labels, Hough", "ms", 0.8, hough_thesis_ms, all(PlaneMethod::hough, true)},

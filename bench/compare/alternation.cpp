@@ -37,7 +37,8 @@ double quantile(std::vector<double> values, double share) {
 }  // namespace
 
 void print_head() {
-  std::printf("| job | size | kernels | peer | Straightedge, ms | peer, ms | times faster | quartiles | answers |\n");
+  std::printf(
+      "| job | size | kernels | peer | Straightedge, ms | peer, ms | times faster | quartiles | answers |\n");
   std::printf("| --- | --- | --- | --- | ---: | ---: | ---: | --- | --- |\n");
 }
 
@@ -58,9 +59,10 @@ void print_row(const Job& job, int rounds, Clock clock) {
     ratios.push_back(theirs.back() / ours.back());
     spent += ours.back() + theirs.back();
   }
-  std::printf("| %s | %s | %s | %s | %.3f | %.3f | %.2f | %.2f–%.2f | %s |\n", job.name.c_str(), job.size.c_str(),
-              job.kernels.c_str(), job.peer.c_str(), bench::median(ours), bench::median(theirs),
-              bench::median(ratios), quantile(ratios, 0.25), quantile(ratios, 0.75), job.answers().c_str());
+  std::printf("| %s | %s | %s | %s | %.3f | %.3f | %.2f | %.2f–%.2f | %s |\n", job.name.c_str(),
+              job.size.c_str(), job.kernels.c_str(), job.peer.c_str(), bench::median(ours),
+              bench::median(theirs), bench::median(ratios), quantile(ratios, 0.25), quantile(ratios, 0.75),
+              job.answers().c_str());
   std::fflush(stdout);
 }
 

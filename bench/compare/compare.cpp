@@ -55,7 +55,8 @@ const Part parts[] = {
      }},
     {"lines", "Lines",
      [](int rounds) {
-       for (const straightedge::Size size : sizes) compare::print_line_rows(size, (fewer(size, rounds) + 3) / 4);
+       for (const straightedge::Size size : sizes)
+         compare::print_line_rows(size, (fewer(size, rounds) + 3) / 4);
      }},
     {"first", "First plane", compare::print_first_plane_rows},
     {"planes", "All planes of 5 % of the readings or more", compare::print_all_planes_rows},
@@ -64,7 +65,8 @@ const Part parts[] = {
 };
 
 const Part* find_part(const std::string& name) {
-  const auto found = std::find_if(std::begin(parts), std::end(parts), [&](const Part& p) { return p.name == name; });
+  const auto found =
+      std::find_if(std::begin(parts), std::end(parts), [&](const Part& p) { return p.name == name; });
   return found == std::end(parts) ? nullptr : found;
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 std::vector<float> in_rows(const Points& points) {
   std::vector<float> rows;
-  for (std::size_t i = 0; i < points.size(); ++i) rows.insert(rows.end(), {points.x[i], points.y[i], points.z[i]});
+  for (std::size_t i = 0; i < points.size(); ++i)
+    rows.insert(rows.end(), {points.x[i], points.y[i], points.z[i]});
   return rows;
 }
 

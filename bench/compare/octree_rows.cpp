@@ -98,8 +98,8 @@ void print_rows_of(const Scene& scene, const PointIndex& peer, OurOctree& octree
   const Points positions = moved_points(scene.cloud);
   std::vector<double> ours(positions.size()), theirs(positions.size());
   std::size_t alike = 0;
-  print_row({"nearest point of 20 000", std::to_string(scene.cloud.size()) + " points, " + scene.name, "plain",
-             [&] { octree.nearest(positions, ours); }, [&] { peer.nearest(positions, theirs); },
+  print_row({"nearest point of 20 000", std::to_string(scene.cloud.size()) + " points, " + scene.name,
+             "plain", [&] { octree.nearest(positions, ours); }, [&] { peer.nearest(positions, theirs); },
              [&] {
                for (std::size_t i = 0; i < ours.size(); ++i) alike += nearly(ours[i], theirs[i]);
                return exact(scene.cloud, positions, ours) && alike == ours.size();
@@ -113,7 +113,8 @@ void print_rows_of(const Scene& scene, const PointIndex& peer, OurOctree& octree
 void print_octree_rows(int rounds) {
   for (const Scene& scene : scenes()) {
     OurOctree octree(scene.cloud);
-    for (const PointIndex& peer : point_indices(scene.cloud, leaf_m)) print_rows_of(scene, peer, octree, rounds);
+    for (const PointIndex& peer : point_indices(scene.cloud, leaf_m))
+      print_rows_of(scene, peer, octree, rounds);
   }
 }
 

@@ -32,8 +32,8 @@ std::vector<PlanePeer> all_planes_peers();
 /// Those of both kinds that can use several threads.
 std::vector<PlanePeer> threaded_plane_peers();
 
-// An octree of points, or what takes its place: `build` makes it anew, `nearest` asks for the nearest point of
-// each position, one after another.
+// An octree of points, or what takes its place: `build` makes it anew, `nearest` asks for the nearest point
+// of each position, one after another.
 struct PointIndex {
   std::string name;
   std::function<void()> build;

@@ -90,7 +90,8 @@ FindPlanes our_first_plane(const Scene& scene, bool from_cloud) {
     if (from_cloud) {
       result = w.ransac.run(scene.cloud.view(), w.plane, {});
     } else {
-      if (inverse_depth_image(scene.frame.depth(), w.inverse_depth.view()) != Status::ok) fail("a broken frame");
+      if (inverse_depth_image(scene.frame.depth(), w.inverse_depth.view()) != Status::ok)
+        fail("a broken frame");
       result = w.ransac.run(w.inverse_depth.view(), scene.frame.camera, w.plane, {});
     }
     return planes_of(w.plane, result.found.planes);
@@ -100,7 +101,8 @@ FindPlanes our_first_plane(const Scene& scene, bool from_cloud) {
 FindPlanes our_planes(const Scene& scene, PlaneMethod method) {
   PlaneDetectorOptions options;
   options.method = method;
-  options.frame.min_pixels = static_cast<std::uint32_t>(least_share * static_cast<double>(scene.cloud.size()));
+  options.frame.min_pixels =
+      static_cast<std::uint32_t>(least_share * static_cast<double>(scene.cloud.size()));
   auto made = PlaneDetector::create(scene.frame.raw.size(), options);
   if (!made) fail(made.failure().sentence);
   auto detector = std::make_shared<PlaneDetector>(std::move(*made));
@@ -113,8 +115,8 @@ FindPlanes our_planes(const Scene& scene, PlaneMethod method) {
 
 /// A plane that is tilted into its neighbours covers some more, so a little less is no worse.
 constexpr double same_plane = 0.94;
-/// Jobs of different kinds: some count planes through the whole room, some connected surfaces. The table shows
-/// both coverages.
+/// Jobs of different kinds: some count planes through the whole room, some connected surfaces. The table
+/// shows both coverages.
 constexpr double any_planes = 0;
 
 struct Contest {
@@ -123,7 +125,8 @@ struct Contest {
   double least_of_theirs;  ///< ours has to cover at least this share of what the peer's answer covers
 };
 
-void print_plane_row(const Scene& scene, const Contest& contest, const PlanePeer& peer, int rounds, Clock clock) {
+void print_plane_row(const Scene& scene, const Contest& contest, const PlanePeer& peer, int rounds,
+                     Clock clock) {
   Planes ours, theirs;
   double our_share = 0, their_share = 0;
   const FindPlanes find_theirs = peer.make(scene);
@@ -135,9 +138,7 @@ void print_plane_row(const Scene& scene, const Contest& contest, const PlanePeer
                return our_share >= contest.least_of_theirs * their_share;
              },
              peer.name,
-             [&] {
-               return said(scene, ours, our_share) + "; peer " + said(scene, theirs, their_share);
-             }},
+             [&] { return said(scene, ours, our_share) + "; peer " + said(scene, theirs, their_share); }},
             rounds, clock);
 }
 
@@ -148,7 +149,8 @@ void print_first_plane_rows(int rounds) {
     for (const bool from_cloud : {false, true}) {
       const Contest contest{from_cloud ? "first plane, cloud" : "first plane, frame",
                             our_first_plane(scene, from_cloud), same_plane};
-      for (const PlanePeer& peer : first_plane_peers()) print_plane_row(scene, contest, peer, rounds, Clock::thread);
+      for (const PlanePeer& peer : first_plane_peers())
+        print_plane_row(scene, contest, peer, rounds, Clock::thread);
     }
   }
 }
@@ -157,15 +159,18 @@ void print_all_planes_rows(int rounds) {
   for (const Scene& scene : scenes()) {
     const Contest ransac{"all planes, RANSAC", our_planes(scene, PlaneMethod::ransac), any_planes};
     const Contest hough{"all planes, Hough", our_planes(scene, PlaneMethod::hough), any_planes};
-    for (const PlanePeer& peer : all_planes_peers()) print_plane_row(scene, ransac, peer, rounds, Clock::thread);
-    for (const PlanePeer& peer : all_planes_peers()) print_plane_row(scene, hough, peer, rounds, Clock::thread);
+    for (const PlanePeer& peer : all_planes_peers())
+      print_plane_row(scene, ransac, peer, rounds, Clock::thread);
+    for (const PlanePeer& peer : all_planes_peers())
+      print_plane_row(scene, hough, peer, rounds, Clock::thread);
   }
 }
 
 void print_threaded_plane_rows(int rounds) {
   for (const Scene& scene : scenes()) {
     const Contest contest{"first plane, cloud", our_first_plane(scene, true), same_plane};
-    for (const PlanePeer& peer : threaded_plane_peers()) print_plane_row(scene, contest, peer, rounds, Clock::wall);
+    for (const PlanePeer& peer : threaded_plane_peers())
+      print_plane_row(scene, contest, peer, rounds, Clock::wall);
   }
 }
 

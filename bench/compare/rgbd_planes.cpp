@@ -18,8 +18,7 @@ std::shared_ptr<Frame> frame_of(const Scene& scene) {
   const Points& p = scene.picture;
   auto frame = std::make_shared<Frame>();
   frame->points.create(static_cast<int>(p.size()) / p.width, p.width, CV_32FC3);
-  for (std::size_t i = 0; i < p.size(); ++i)
-    frame->points.ptr<cv::Vec3f>()[i] = {p.x[i], p.y[i], p.z[i]};
+  for (std::size_t i = 0; i < p.size(); ++i) frame->points.ptr<cv::Vec3f>()[i] = {p.x[i], p.y[i], p.z[i]};
   const straightedge::PinholeCamera& c = scene.frame.camera;
   frame->camera = (cv::Mat_<float>(3, 3) << c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1);
   frame->least = static_cast<int>(least_share * static_cast<double>(scene.cloud.size()));

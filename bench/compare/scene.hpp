@@ -25,8 +25,8 @@ struct Points {
 struct Scene {
   std::string name;
   bench::FixtureFrame frame;
-  Points picture;  ///< a point a pixel, not a number where there is no reading
-  Points cloud;    ///< the readings alone
+  Points picture;                          ///< a point a pixel, not a number where there is no reading
+  Points cloud;                            ///< the readings alone
   std::vector<straightedge::Plane> truth;  ///< in the camera's frame, where it is known
 };
 

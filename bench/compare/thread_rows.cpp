@@ -19,7 +19,8 @@ void print_threaded_edge_rows(Size size, int rounds) {
   std::vector<cv::Mat> theirs(pictures.size());
   print_row({"Canny L1", text_of(size), std::string(best_kernels().name),
              [&] {
-               for (std::size_t i = 0; i < pictures.size(); ++i) ours[i] = canny(view_of(pictures[i]), options);
+               for (std::size_t i = 0; i < pictures.size(); ++i)
+                 ours[i] = canny(view_of(pictures[i]), options);
              },
              [&] {
                for (std::size_t i = 0; i < pictures.size(); ++i)

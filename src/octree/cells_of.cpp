@@ -5,8 +5,8 @@
 namespace straightedge::octree {
 namespace {
 
-/// The same operations in the same order as OctreeGrid::cell_of. A coordinate that is outside becomes -1 before it
-/// becomes an integer: not every double has one.
+/// The same operations in the same order as OctreeGrid::cell_of. A coordinate that is outside becomes -1
+/// before it becomes an integer: not every double has one.
 void cells_of_axis(const float* coordinates, std::size_t count, double origin, double scale,
                    std::int32_t* cells) noexcept {
   constexpr double o = octree_origin_cell, end = morton_side;
@@ -17,6 +17,16 @@ void cells_of_axis(const float* coordinates, std::size_t count, double origin, d
   }
 }
 
+/// The coordinates side by side, where they are or in `room`.
+const float* side_by_side(const float* axis, std::ptrdiff_t stride, std::size_t begin, std::size_t count,
+                          float* room) noexcept {
+  if (stride == static_cast<std::ptrdiff_t>(sizeof(float))) return axis + begin;
+  const auto* from =
+      reinterpret_cast<const unsigned char*>(axis) + static_cast<std::ptrdiff_t>(begin) * stride;
+  for (std::size_t i = 0; i < count; ++i, from += stride) room[i] = *reinterpret_cast<const float*>(from);
+  return room;
+}
+
 }  // namespace
 
 void cells_of(const PointsView& view, const OctreeGrid& grid, std::size_t begin, std::size_t count,
@@ -25,20 +35,13 @@ void cells_of(const PointsView& view, const OctreeGrid& grid, std::size_t begin,
   cells.y[0] = cells.y[CellBatch::size];
   cells.z[0] = cells.z[CellBatch::size];
   const double scale = 1 / grid.leaf_m;
-  const Vector3& origin = grid.origin;
-  if (view.stride == static_cast<std::ptrdiff_t>(sizeof(float))) {
-    cells_of_axis(view.x + begin, count, origin.x, scale, cells.x + 1);
-    cells_of_axis(view.y + begin, count, origin.y, scale, cells.y + 1);
-    cells_of_axis(view.z + begin, count, origin.z, scale, cells.z + 1);
-    return;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    MortonCell cell;
-    const bool inside = grid.cell_of(view.at(begin + i), cell);
-    cells.x[i + 1] = inside ? static_cast<std::int32_t>(cell.x) : -1;
-    cells.y[i + 1] = inside ? static_cast<std::int32_t>(cell.y) : -1;
-    cells.z[i + 1] = inside ? static_cast<std::int32_t>(cell.z) : -1;
-  }
+  float room[CellBatch::size];
+  const auto axis = [&](const float* from, double origin, std::int32_t* to) {
+    cells_of_axis(side_by_side(from, view.stride, begin, count, room), count, origin, scale, to + 1);
+  };
+  axis(view.x, grid.origin.x, cells.x);
+  axis(view.y, grid.origin.y, cells.y);
+  axis(view.z, grid.origin.z, cells.z);
 }
 
 }  // namespace straightedge::octree

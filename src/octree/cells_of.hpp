@@ -10,7 +10,8 @@
 
 namespace straightedge::octree {
 
-/// Cells of points that follow one another, an axis at a time, so that processors take several points at once.
+/// Cells of points that follow one another, an axis at a time, so that processors take several points at
+/// once.
 struct CellBatch {
   static constexpr std::size_t size = 64;
 

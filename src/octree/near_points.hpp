@@ -106,8 +106,9 @@ void for_near_points(std::span<const std::uint32_t> words, std::uint32_t first, 
 /// Lowers `best` to the nearest of the places `first` to `end`, when one of them is nearer. `filter` has the
 /// limit of `best` before and after.
 ///
-/// Floats first find how near the nearest is, without looking at any point for itself; then few are left. Points
-/// of other leaves in the blocks on the border are welcome: they are in the octree, too, and bound the distance.
+/// Floats first find how near the nearest is, without looking at any point for itself; then few are left.
+/// Points of other leaves in the blocks on the border are welcome: they are in the octree, too, and bound the
+/// distance.
 inline void find_nearest(std::span<const std::uint32_t> words, std::uint32_t first, std::uint32_t end,
                          const Vector3& from, FarFilter& filter, OctreeNeighbour& best) noexcept {
   constexpr auto in_block = static_cast<std::uint32_t>(octree_block_points);

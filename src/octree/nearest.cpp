@@ -16,8 +16,8 @@ struct Waiting {
   Entry entries[7 * morton_levels + 2];  ///< and one that is written and not kept
   std::uint32_t size = 0;
 
-  /// Children of a node that are not farther than `limit`, near ones on top: the one on the position's side of
-  /// all three axes first, the opposite one last. No sorting: what it would save costs more.
+  /// Children of a node that are not farther than `limit`, near ones on top: the one on the position's side
+  /// of all three axes first, the opposite one last. No sorting: what it would save costs more.
   void push_children(const OctreeNodes& nodes, std::uint32_t parent, const octree::NodeDistance& distance,
                      double limit) noexcept {
     std::uint32_t child_in[8] = {};

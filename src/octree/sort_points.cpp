@@ -88,7 +88,8 @@ class RunReader {
     for (std::size_t left = length; left > 0;) {
       const std::size_t piece = left < SortedRuns::most_points ? left : SortedRuns::most_points;
       const auto from = static_cast<std::uint32_t>(next - left);
-      pairs_.set(runs_.count++, {part_ | static_cast<std::uint32_t>(piece - 1) << SortedRuns::code_bits, from});
+      pairs_.set(runs_.count++,
+                 {part_ | static_cast<std::uint32_t>(piece - 1) << SortedRuns::code_bits, from});
       left -= piece;
     }
   }
@@ -148,7 +149,8 @@ SortedRuns sort_runs(const PointsView& view, const OctreeGrid& grid, std::uint32
   // Step 2: nine levels at a time, so that a pair takes 8 bytes, and pairs in two places 16, as points do.
   const std::size_t pair_words = 2 * std::size_t{runs.count};
   const Pairs front(memory.first(pair_words));
-  const Pairs back(memory.first(octree_point_words * (runs.points + octree_block_points - 1)).last(pair_words));
+  const Pairs back(
+      memory.first(octree_point_words * (runs.points + octree_block_points - 1)).last(pair_words));
   Pairs pairs = front;
   for (unsigned shift = 0; shift == 0 || runs.varying >> shift != 0; shift += SortedRuns::code_bits) {
     if (shift > 0) read_part(view, grid, shift, pairs);

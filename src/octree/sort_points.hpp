@@ -63,8 +63,8 @@ class BlockWriter {
 };
 
 /// Step 3: copies the points of the runs to the start of the same memory and calls leaf(code, place) for the
-/// first point of each cell. Each run that waits has a point and takes half of its room, and stands three places
-/// behind it: no run is written over before it has been read.
+/// first point of each cell. Each run that waits has a point and takes half of its room, and stands three
+/// places behind it: no run is written over before it has been read.
 template <class Leaf>
 void copy_points(const SortedRuns& runs, const PointsView& view, const OctreeGrid& grid,
                  std::uint32_t first_index, std::span<std::uint32_t> memory, Leaf leaf) noexcept {
