@@ -65,4 +65,17 @@ DepthScene make_depth_scene(Size size) {
   return scene;
 }
 
+DepthFrame make_depth_frame(Size size) {
+  const DepthScene scene = make_depth_scene(size);
+  DepthFrame frame{Image<std::uint16_t>(size), scene.camera};
+  for (std::int32_t v = 0; v < size.height; ++v) {
+    for (std::int32_t u = 0; u < size.width; ++u) {
+      const double q = static_cast<double>(scene.inverse_depth.at(u, v));
+      const double units = q > 0 ? 1 / (q * DepthFrame::metres_per_unit) + 0.5 : 0;
+      frame.raw.at(u, v) = units < 65536 ? static_cast<std::uint16_t>(units) : std::uint16_t{0};
+    }
+  }
+  return frame;
+}
+
 }  // namespace bench

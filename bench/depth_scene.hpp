@@ -16,4 +16,16 @@ struct DepthScene {
 
 DepthScene make_depth_scene(straightedge::Size size);
 
+/// The same as the camera gives it.
+struct DepthFrame {
+  static constexpr double metres_per_unit = 0.0002;
+
+  straightedge::Image<std::uint16_t> raw;
+  straightedge::PinholeCamera camera;
+
+  straightedge::DepthView depth() const { return {raw.view(), metres_per_unit, camera}; }
+};
+
+DepthFrame make_depth_frame(straightedge::Size size);
+
 }  // namespace bench

@@ -17,29 +17,6 @@ namespace {
 
 using namespace straightedge;
 
-constexpr double metres_per_unit = 0.0002;
-
-/// The scene as the camera gives it.
-struct Frame {
-  Image<std::uint16_t> raw;
-  PinholeCamera camera;
-
-  DepthView depth() const { return {raw.view(), metres_per_unit, camera}; }
-};
-
-Frame make_frame(Size size) {
-  const DepthScene scene = make_depth_scene(size);
-  Frame frame{Image<std::uint16_t>(size), scene.camera};
-  for (std::int32_t v = 0; v < size.height; ++v) {
-    for (std::int32_t u = 0; u < size.width; ++u) {
-      const double q = static_cast<double>(scene.inverse_depth.at(u, v));
-      const double units = q > 0 ? 1 / (q * metres_per_unit) + 0.5 : 0;
-      frame.raw.at(u, v) = units < 65536 ? static_cast<std::uint16_t>(units) : std::uint16_t{0};
-    }
-  }
-  return frame;
-}
-
 PlaneDetector make_detector(Size size, PlaneMethod method) {
   PlaneDetectorOptions options;
   options.method = method;
@@ -50,10 +27,10 @@ PlaneDetector make_detector(Size size, PlaneMethod method) {
 
 auto prepare_inverse_depth(Size size) {
   struct Work {
-    Frame frame;
+    DepthFrame frame;
     Image<float> inverse_depth;
   };
-  auto w = std::make_shared<Work>(Work{make_frame(size), Image<float>(size)});
+  auto w = std::make_shared<Work>(Work{make_depth_frame(size), Image<float>(size)});
   return [w] { require(inverse_depth_image(w->frame.depth(), w->inverse_depth.view()), "inverse depth"); };
 }
 
@@ -92,10 +69,10 @@ auto prepare_hough_search(Size size) {
 auto prepare_frame_planes(PlaneMethod method) {
   return [method](Size size) {
     struct Work {
-      Frame frame;
+      DepthFrame frame;
       PlaneDetector detector;
     };
-    auto w = std::make_shared<Work>(Work{make_frame(size), make_detector(size, method)});
+    auto w = std::make_shared<Work>(Work{make_depth_frame(size), make_detector(size, method)});
     return [w] {
       const auto found = w->detector.detect(w->frame.depth());
       require(found ? Status::ok : Status::invalid_image, "detect");
@@ -105,7 +82,7 @@ auto prepare_frame_planes(PlaneMethod method) {
 }
 
 struct MapWork {
-  Frame frame;
+  DepthFrame frame;
   DetectedPlanes found;
   PlaneMapBuilder builder;
 
@@ -116,7 +93,7 @@ struct MapWork {
 };
 
 std::shared_ptr<MapWork> make_map_work(Size size) {
-  Frame frame = make_frame(size);
+  DepthFrame frame = make_depth_frame(size);
   auto found = make_detector(size, PlaneMethod::ransac).detect(frame.depth());
   require(found ? Status::ok : Status::invalid_image, "detect");
   auto work = std::make_shared<MapWork>(MapWork{std::move(frame), std::move(*found), PlaneMapBuilder()});

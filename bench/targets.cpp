@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
 
-// How long planes of depth frames take, beside what is aimed at:
-//   bench_targets [RUNS, default 21]
+// How long planes of depth frames take, beside what is aimed at, as a Markdown table:
+//   bench_targets [RUNS, default 21 | --shape: rows without measuring]
 // Processor time of one thread. A frame's time is the median of its runs, a folder's that of its frames; the
 // slower folder decides. The two old times are those of the thesis that the library began with: RANSAC to the
 // first plane of a frame, the 3D Hough transform to a plane.
@@ -65,9 +65,19 @@ double first_plane_ms(const Frames& frames, int runs) {
   });
 }
 
-PlaneDetector make_detector(const Frames& frames, PlaneMethod method) {
+/// Large planes have this share of the pixels and more, the others this many and more.
+constexpr double large_share = 0.05;
+constexpr std::uint32_t small_pixels = 1000;
+
+std::uint32_t large_pixels(const Frames& frames) {
+  const Size size = frames.front().raw.size();
+  return static_cast<std::uint32_t>(large_share * size.width * size.height);
+}
+
+PlaneDetector make_detector(const Frames& frames, PlaneMethod method, bool large) {
   PlaneDetectorOptions options;
   options.method = method;
+  options.frame.min_pixels = large ? large_pixels(frames) : small_pixels;
   auto made = PlaneDetector::create(frames.front().raw.size(), options);
   if (!made) fail(made.failure().sentence);
   return std::move(*made);
@@ -80,14 +90,14 @@ DetectedPlanes detect(PlaneDetector& detector, const bench::FixtureFrame& frame)
   return std::move(*found);
 }
 
-double all_planes_ms(const Frames& frames, int runs, PlaneMethod method) {
-  PlaneDetector detector = make_detector(frames, method);
+double all_planes_ms(const Frames& frames, int runs, PlaneMethod method, bool large) {
+  PlaneDetector detector = make_detector(frames, method, large);
   return median_ms(frames, runs, [&](std::size_t i) { detect(detector, frames[i]); });
 }
 
 /// Each run makes a new map, so that frames meet new places and known ones as on a drive.
 double register_ms(const Frames& frames, int runs, PlaneMapBuilder& builder) {
-  PlaneDetector detector = make_detector(frames, PlaneMethod::ransac);
+  PlaneDetector detector = make_detector(frames, PlaneMethod::ransac, false);
   std::vector<DetectedPlanes> found;
   for (const auto& frame : frames) found.push_back(detect(detector, frame));
   return median_ms(frames, runs, [&](std::size_t i) {
@@ -98,59 +108,93 @@ double register_ms(const Frames& frames, int runs, PlaneMapBuilder& builder) {
   });
 }
 
+/// All frames from depth to a finished map, a frame's share.
+double sequence_ms(const Frames& frames, int runs) {
+  PlaneDetector detector = make_detector(frames, PlaneMethod::ransac, false);
+  std::vector<double> times;
+  for (int run = 0; run < runs; ++run) {
+    const double before = bench::thread_ms();
+    PlaneMapBuilder builder;
+    for (const auto& frame : frames) {
+      const DetectedPlanes found = detect(detector, frame);
+      const auto added = builder.add(frame.depth(), found.labels, found.planes, frame.world_from_camera);
+      if (!added) fail(added.failure().sentence);
+    }
+    const auto reading = builder.build();
+    if (!reading || reading->map.planes.empty()) fail("no map");
+    times.push_back((bench::thread_ms() - before) / static_cast<double>(frames.size()));
+  }
+  return bench::median(times);
+}
+
 /// What the detector works in, the labels, and the leaves that a frame adds to the map, in 10^6 bytes.
 double memory_mb(const Frames& frames, const PlaneMapBuilder& builder) {
   constexpr std::size_t leaf_bytes = 170;
-  const std::size_t ransac = make_detector(frames, PlaneMethod::ransac).workspace_bytes();
-  const std::size_t hough = make_detector(frames, PlaneMethod::hough).workspace_bytes();
+  const std::size_t ransac = make_detector(frames, PlaneMethod::ransac, false).workspace_bytes();
+  const std::size_t hough = make_detector(frames, PlaneMethod::hough, false).workspace_bytes();
   const Size size = frames.front().raw.size();
   const std::size_t labels = 2 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
   const std::size_t leaves = builder.leaves().size() * leaf_bytes / frames.size();
   return 1e-6 * static_cast<double>(std::max(ransac, hough) + labels + leaves);
 }
 
-/// One number for each row of the table.
-struct Figures {
-  double first, ransac, hough, registered, memory;
+/// A row of the table.
+struct Target {
+  const char* what;
+  const char* unit;
+  double bar, thesis;  ///< thesis: 0 where it did not measure
+  std::function<double(const Frames&)> measure;
 };
 
-Figures measure(const Frames& frames, int runs) {
-  PlaneMapBuilder builder;
-  Figures f{};
-  f.first = first_plane_ms(frames, runs);
-  f.ransac = all_planes_ms(frames, runs, PlaneMethod::ransac);
-  f.hough = all_planes_ms(frames, runs, PlaneMethod::hough);
-  f.registered = register_ms(frames, runs, builder);
-  f.memory = memory_mb(frames, builder);
-  return f;
+std::vector<Target> targets(int runs) {
+  const auto all = [runs](PlaneMethod method, bool large) {
+    return [=](const Frames& f) { return all_planes_ms(f, runs, method, large); };
+  };
+  const auto registered = [runs](const Frames& f) {
+    PlaneMapBuilder builder;
+    return register_ms(f, runs, builder);
+  };
+  const auto memory = [](const Frames& f) {
+    PlaneMapBuilder builder;
+    register_ms(f, 1, builder);
+    return memory_mb(f, builder);
+  };
+  return {
+      {"first plane, RANSAC", "ms", 0.15, ransac_thesis_ms,
+       [=](const Frames& f) { return first_plane_ms(f, runs); }},
+      {"planes of 5 %, labels, RANSAC", "ms", 0.6, ransac_thesis_ms, all(PlaneMethod::ransac, true)},
+      {"planes of 1000 pixels, labels, RANSAC", "ms", 2.4, ransac_thesis_ms, all(PlaneMethod::ransac, false)},
+      {"planes of 5 %, labels, Hough", "ms", 0.8, hough_thesis_ms, all(PlaneMethod::hough, true)},
+      {"planes of 1000 pixels, labels, Hough", "ms", 4, hough_thesis_ms, all(PlaneMethod::hough, false)},
+      {"registering into the plane map", "ms", 5, 0, registered},
+      {"sequence to plane map, a frame", "ms", 2, 0, [=](const Frames& f) { return sequence_ms(f, runs); }},
+      {"memory of detector, labels, map", "MB", 16, 0, memory},
+  };
 }
 
-void print_row(const char* what, double room, double office, double bar, const char* unit, double thesis) {
+void print_row(const Target& target, double room, double office) {
   const double slower = std::max(room, office);
-  const char* verdict = slower <= bar ? "met" : "missed";
-  std::printf("%-34s %7.2f %7.2f %5.0f %s  ", what, room, office, bar, unit);
-  if (thesis > 0) {
-    std::printf("%-6s %7.0f ms %7.0f times\n", verdict, thesis, thesis / slower);
+  std::printf("| %s | %.2f | %.2f | %g %s | %s | ", target.what, room, office, target.bar, target.unit,
+              slower <= target.bar ? "met" : "missed");
+  if (target.thesis > 0) {
+    std::printf("%.0f ms | %.0f |\n", target.thesis, slower > 0 ? target.thesis / slower : 0);
   } else {
-    std::printf("%s\n", verdict);
+    std::printf("– | – |\n");
   }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int runs = argc > 1 ? std::atoi(argv[1]) : 21;
+  const bool shape = argc > 1 && std::string(argv[1]) == "--shape";
+  const int runs = argc > 1 && !shape ? std::atoi(argv[1]) : 21;
   if (runs < 1 || argc > 2) {
-    std::fprintf(stderr, "bench_targets [RUNS]: how often each frame is measured, 1 and up\n");
+    std::fprintf(stderr, "bench_targets [RUNS | --shape]: how often each frame is measured, 1 and up\n");
     return 2;
   }
-  const Figures room = measure(bench::room_frames(), runs);
-  const Figures office = measure(bench::office_frames(), runs);
-  std::printf("%-34s %7s %7s %8s  %-6s %10s %13s\n", "a frame of 640 x 480", "room", "office", "bar", "",
-              "thesis", "faster by");
-  print_row("RANSAC, first plane", room.first, office.first, 1, "ms", ransac_thesis_ms);
-  print_row("RANSAC, all planes and labels", room.ransac, office.ransac, 3, "ms", ransac_thesis_ms);
-  print_row("Hough patches, all and labels", room.hough, office.hough, 4, "ms", hough_thesis_ms);
-  print_row("registering into the plane map", room.registered, office.registered, 5, "ms", 0);
-  print_row("memory of detector, labels, map", room.memory, office.memory, 16, "MB", 0);
+  const Frames room = bench::room_frames(), office = bench::office_frames();
+  std::printf("| a frame of 640x480 | room | office | bar | | thesis | times faster |\n");
+  std::printf("| --- | ---: | ---: | --- | :---: | ---: | ---: |\n");
+  for (const Target& target : targets(runs))
+    print_row(target, shape ? 0 : target.measure(room), shape ? 0 : target.measure(office));
 }

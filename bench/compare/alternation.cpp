@@ -3,6 +3,7 @@
 #include "alternation.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -13,10 +14,19 @@
 namespace compare {
 namespace {
 
-double time_ms(const std::function<void()>& call) {
-  const double before = bench::thread_ms();
+/// A row is not worth more.
+constexpr double most_ms_a_row = 2000;
+
+double now_ms(Clock clock) {
+  if (clock == Clock::thread) return bench::thread_ms();
+  const auto since = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double, std::milli>(since).count();
+}
+
+double time_ms(const std::function<void()>& call, Clock clock) {
+  const double before = now_ms(clock);
   call();
-  return bench::thread_ms() - before;
+  return now_ms(clock) - before;
 }
 
 double quantile(std::vector<double> values, double share) {
@@ -27,27 +37,32 @@ double quantile(std::vector<double> values, double share) {
 }  // namespace
 
 void print_head() {
-  std::printf("| job | size | kernels | Straightedge, ms | peer, ms | times faster | quartiles |\n");
-  std::printf("| --- | --- | --- | ---: | ---: | ---: | --- |\n");
+  std::printf(
+      "| job | size | kernels | peer | Straightedge, ms | peer, ms | times faster | quartiles | answers |\n");
+  std::printf("| --- | --- | --- | --- | ---: | ---: | ---: | --- | --- |\n");
 }
 
-void print_row(const Job& job, int rounds) {
+void print_row(const Job& job, int rounds, Clock clock) {
   job.ours();
   job.theirs();
   if (!job.agree()) {
-    std::fprintf(stderr, "%s, %s, %s: the answers differ\n", job.name.c_str(), job.size.c_str(),
-                 job.kernels.c_str());
+    std::fprintf(stderr, "%s\n", job.answers().c_str());
+    std::fprintf(stderr, "%s, %s, %s, %s: the answers differ\n", job.name.c_str(), job.size.c_str(),
+                 job.kernels.c_str(), job.peer.c_str());
     std::exit(70);
   }
   std::vector<double> ours, theirs, ratios;
-  for (int round = 0; round < rounds; ++round) {
-    ours.push_back(time_ms(job.ours));
-    theirs.push_back(time_ms(job.theirs));
+  double spent = 0;
+  for (int round = 0; round < rounds && (round < 3 || spent < most_ms_a_row); ++round) {
+    ours.push_back(time_ms(job.ours, clock));
+    theirs.push_back(time_ms(job.theirs, clock));
     ratios.push_back(theirs.back() / ours.back());
+    spent += ours.back() + theirs.back();
   }
-  std::printf("| %s | %s | %s | %.3f | %.3f | %.2f | %.2f–%.2f |\n", job.name.c_str(), job.size.c_str(),
-              job.kernels.c_str(), bench::median(ours), bench::median(theirs), bench::median(ratios),
-              quantile(ratios, 0.25), quantile(ratios, 0.75));
+  std::printf("| %s | %s | %s | %s | %.3f | %.3f | %.2f | %.2f–%.2f | %s |\n", job.name.c_str(),
+              job.size.c_str(), job.kernels.c_str(), job.peer.c_str(), bench::median(ours),
+              bench::median(theirs), bench::median(ratios), quantile(ratios, 0.25), quantile(ratios, 0.75),
+              job.answers().c_str());
   std::fflush(stdout);
 }
 

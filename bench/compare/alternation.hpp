@@ -15,13 +15,22 @@ struct Job {
   std::function<void()> ours;
   std::function<void()> theirs;
   std::function<bool()> agree;  ///< of what the two calls left behind
+  std::string peer = "OpenCV";
+  /// What the answers are alike in, for the table, asked after `agree`.
+  std::function<std::string()> answers = [] { return "equal"; };
+};
+
+enum class Clock {
+  thread,  ///< processor time of this thread: one thread each
+  wall     ///< for jobs of several threads
 };
 
 /// Prints the head of the table.
 void print_head();
 
-/// Checks that the answers agree, then calls each `rounds` times in turns and prints a row: the medians, and
-/// the median of the rounds' ratios with its quartiles. Ends the program when the answers differ.
-void print_row(const Job& job, int rounds);
+/// Checks that the answers agree, then calls each `rounds` times in turns, fewer (at least three) when that
+/// takes more than some seconds, and prints a row: the medians, and the median of the rounds' ratios with its
+/// quartiles. Ends the program when the answers differ.
+void print_row(const Job& job, int rounds, Clock clock = Clock::thread);
 
 }  // namespace compare

@@ -128,7 +128,8 @@ class Octree {
                                  const OctreeOptions& options) noexcept {
       const bool fewer = options.max_leaves > 0 && options.max_leaves < capacity;
       Memory memory;
-      memory.points = arena.take<std::uint32_t>(octree_point_words * (octree_full_blocks(capacity) + 4));
+      memory.points = arena.take<std::uint32_t>(octree_point_words *
+                                                (octree_full_blocks(capacity) + octree_spare_points));
       memory.nodes = arena.take<OctreeNode>(OctreeNodes::nodes_for(fewer ? options.max_leaves : capacity));
       memory.counts = arena.take<std::uint32_t>(octree_sort_values);
       return memory;

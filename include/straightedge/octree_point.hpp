@@ -27,6 +27,10 @@ constexpr std::size_t octree_full_blocks(std::size_t points) noexcept {
   return (points + octree_block_points - 1) / octree_block_points * octree_block_points;
 }
 
+/// Places behind those of the points: the blocks of what is inserted begin anew, and points are written by
+/// blocks.
+inline constexpr std::size_t octree_spare_points = 8;
+
 /// A point with its index in the order in which points were given.
 struct OctreePoint {
   float x = 0, y = 0, z = 0;

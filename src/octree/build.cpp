@@ -20,6 +20,13 @@ void list_leaves(const OctreeGrid& grid, std::span<const std::uint32_t> words, s
   }
 }
 
+/// Queries look at whole blocks; nothing is near to what is not there.
+void fill_block(std::span<std::uint32_t> words, std::size_t points) noexcept {
+  constexpr float nowhere = std::numeric_limits<float>::infinity();
+  for (std::size_t i = points; i < octree_full_blocks(points); ++i)
+    OctreePoint{nowhere, nowhere, nowhere, UINT32_MAX}.write(words, i);
+}
+
 }  // namespace
 
 Status Octree::prepare(Octree& octree, std::uint32_t capacity, const OctreeOptions& options,
@@ -94,6 +101,7 @@ OctreeBuildResult Octree::add(const PointsView& points) noexcept {
     list_leaves(options_.grid, memory_.points, size_ + runs.points, memory_.nodes);
   }
   size_ += runs.points;
+  fill_block(memory_.points, size_);
   given_ += static_cast<std::uint32_t>(points.count);
   nodes_ = OctreeNodes::link(memory_.nodes, result.leaves, size_);
   result.status = Status::ok;

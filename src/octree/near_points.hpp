@@ -38,6 +38,35 @@ class FarFilter {
   }
 
   bool all_far(const std::uint32_t* block) const noexcept {
+    const auto far = squared(block) > limit_;
+    std::uint64_t halves[2];
+    static_assert(sizeof(halves) == sizeof(far));
+    std::memcpy(halves, &far, sizeof(halves));
+    return (halves[0] & halves[1]) == UINT64_MAX;
+  }
+
+  bool far(float squared) const noexcept { return squared > limit_; }
+
+  /// The least of the squares in these blocks, as floats have it.
+  float least(const std::uint32_t* block, const std::uint32_t* end) const noexcept {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    Floats4 least{infinity, infinity, infinity, infinity};
+    for (; block != end; block += octree_block_points * octree_point_words) {
+      const Floats4 here = squared(block);
+      least = here < least ? here : least;
+    }
+    const float a = least[0] < least[1] ? least[0] : least[1];
+    const float b = least[2] < least[3] ? least[2] : least[3];
+    return a < b ? a : b;
+  }
+  /// A point whose square in floats is `squared` is not farther than this one.
+  double not_farther_than(float squared) const noexcept {
+    const double raised = square_root(static_cast<double>(squared)) * (1 + 0x1p-20) + loss_;
+    return raised * raised + 0x1p-120;
+  }
+
+ private:
+  Floats4 squared(const std::uint32_t* block) const noexcept {
     Floats4 x, y, z;
     std::memcpy(&x, block, sizeof(x));
     std::memcpy(&y, block + 4, sizeof(y));
@@ -45,14 +74,8 @@ class FarFilter {
     x -= x_;
     y -= y_;
     z -= z_;
-    const auto far = x * x + y * y + z * z > limit_;
-    std::uint64_t halves[2];
-    static_assert(sizeof(halves) == sizeof(far));
-    std::memcpy(halves, &far, sizeof(halves));
-    return (halves[0] & halves[1]) == UINT64_MAX;
+    return x * x + y * y + z * z;
   }
-
- private:
   static double magnitude(double a) noexcept { return a < 0 ? -a : a; }
 
   float x_, y_, z_;
@@ -78,6 +101,34 @@ void for_near_points(std::span<const std::uint32_t> words, std::uint32_t first, 
     }
     filter.set_limit(limit);
   }
+}
+
+/// Lowers `best` to the nearest of the places `first` to `end`, when one of them is nearer. `filter` has the
+/// limit of `best` before and after.
+///
+/// Floats first find how near the nearest is, without looking at any point for itself; then few are left.
+/// Points of other leaves in the blocks on the border are welcome: they are in the octree, too, and bound the
+/// distance.
+inline void find_nearest(std::span<const std::uint32_t> words, std::uint32_t first, std::uint32_t end,
+                         const Vector3& from, FarFilter& filter, OctreeNeighbour& best) noexcept {
+  constexpr auto in_block = static_cast<std::uint32_t>(octree_block_points);
+  const std::uint32_t begin = first - first % in_block;
+  const std::uint32_t* const blocks = words.data();
+  const float least = filter.least(blocks + octree_point_words * begin,
+                                   blocks + octree_point_words * octree_full_blocks(end));
+  if (filter.far(least)) return;
+  const double reach = filter.not_farther_than(least);
+  filter.set_limit(reach < best.squared_distance ? reach : best.squared_distance);
+  for (std::uint32_t block = begin; block < end; block += in_block) {
+    if (filter.all_far(blocks + octree_point_words * block)) continue;
+    const std::uint32_t last = block + in_block < end ? block + in_block : end;
+    for (std::uint32_t place = block < first ? first : block; place < last; ++place) {
+      const OctreePoint p = OctreePoint::read(words, place);
+      const OctreeNeighbour neighbour{p.index, squared_length(p.position() - from)};
+      if (neighbour.before(best)) best = neighbour;
+    }
+  }
+  filter.set_limit(best.squared_distance);
 }
 
 }  // namespace straightedge::octree

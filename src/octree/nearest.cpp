@@ -13,22 +13,29 @@ struct Waiting {
     double squared;
     std::uint32_t node;
   };
-  Entry entries[7 * morton_levels + 1];
+  Entry entries[7 * morton_levels + 2];  ///< and one that is written and not kept
   std::uint32_t size = 0;
 
-  /// Children of a node that are not farther than `limit`, the nearest on top.
+  /// Children of a node that are not farther than `limit`, near ones on top: the one on the position's side
+  /// of all three axes first, the opposite one last. No sorting: what it would save costs more.
   void push_children(const OctreeNodes& nodes, std::uint32_t parent, const octree::NodeDistance& distance,
                      double limit) noexcept {
-    const std::uint32_t bottom = size;
-    const octree::NodeDistance::Octants octants = distance.octants(nodes[parent]);
+    std::uint32_t child_in[8] = {};
+    std::uint32_t present = 0;
+    const auto above_octant = static_cast<unsigned>(3 * (nodes[parent].level() - 1));
     for (std::uint32_t child = parent + 1; child < nodes[parent].next; child = nodes[child].next) {
-      const std::uint64_t key = nodes[child].key;
-      const bool one_below = key >> 3U == nodes[parent].key;
-      const double squared = one_below ? octants.squared(key & 7U) : distance.squared(nodes[child]);
-      if (squared > limit) continue;
-      std::uint32_t at = size++;
-      for (; at > bottom && entries[at - 1].squared < squared; --at) entries[at] = entries[at - 1];
-      entries[at] = {squared, child};
+      const std::uint64_t octant = nodes[child].code() >> above_octant & 7U;
+      child_in[octant] = child;
+      present |= 1U << octant;
+    }
+    const octree::NodeDistance::Octants octants = distance.octants(nodes[parent]);
+    const std::uint32_t near = octants.nearest();
+    constexpr std::uint32_t far_to_near[] = {7, 6, 5, 3, 4, 2, 1, 0};
+    for (const std::uint32_t flipped : far_to_near) {
+      const std::uint32_t octant = near ^ flipped;
+      const double squared = octants.squared(octant);
+      entries[size] = {squared, child_in[octant]};
+      size += (present >> octant & 1U) != 0 && squared <= limit ? 1U : 0U;
     }
   }
 };
@@ -110,11 +117,10 @@ OctreeFound Octree::nearest(const Vector3& position, OctreeNeighbour& out,
   if (found.status != Status::ok) return found;
   OctreeNeighbour best{UINT32_MAX, max_distance_m * max_distance_m};
   const octree::NodeDistance distance(options_.grid, position);
+  octree::FarFilter filter(position);
+  filter.set_limit(best.squared_distance);
   for_near_leaves(nodes_, distance, best.squared_distance, [&](std::uint32_t place, std::uint32_t end) {
-    octree::for_near_points(memory_.points, place, end, position, best.squared_distance,
-                            [&](const OctreeNeighbour& neighbour) {
-                              if (neighbour.before(best)) best = neighbour;
-                            });
+    octree::find_nearest(memory_.points, place, end, position, filter, best);
     return best.squared_distance;
   });
   if (best.index == UINT32_MAX) return found;

@@ -14,6 +14,9 @@ constexpr bool is_position(const Vector3& p) noexcept {
   return p.x >= -most && p.x <= most && p.y >= -most && p.y <= most && p.z >= -most && p.z <= most;
 }
 
+// Two numbers that are treated alike, without a branch.
+using Doubles2 = double __attribute__((vector_size(16)));
+
 /// How near to a position a point of a node can be.
 ///
 /// Boxes are compared in the cells' frame, where their borders are integers. A position in the cube or within
@@ -39,20 +42,20 @@ class NodeDistance {
 
   /// The same for all octants of a node: each takes one of two halves along each axis.
   struct Octants {
-    double x[2], y[2], z[2];
+    Doubles2 x, y, z;
 
     double squared(std::uint64_t octant) const noexcept {
       return x[octant & 1U] + y[octant >> 1U & 1U] + z[octant >> 2U & 1U];
+    }
+    std::uint32_t nearest() const noexcept {
+      return (x[1] < x[0] ? 1U : 0U) | (y[1] < y[0] ? 2U : 0U) | (z[1] < z[0] ? 4U : 0U);
     }
   };
   Octants octants(const OctreeNode& inner) const noexcept {
     const MortonCell cell = morton_decode(inner.code());
     const std::uint32_t half = std::uint32_t{1} << static_cast<unsigned>(inner.level() - 1);
-    const auto side = static_cast<double>(half);
-    const auto scaled = [this](double gap) { return gap * gap * scale_; };
-    return {{scaled(x_.gap(cell.x, side)), scaled(x_.gap(cell.x + half, side))},
-            {scaled(y_.gap(cell.y, side)), scaled(y_.gap(cell.y + half, side))},
-            {scaled(z_.gap(cell.z, side)), scaled(z_.gap(cell.z + half, side))}};
+    return {x_.halves(cell.x, half) * scale_, y_.halves(cell.y, half) * scale_,
+            z_.halves(cell.z, half) * scale_};
   }
 
  private:
@@ -66,6 +69,17 @@ class NodeDistance {
       const double above = low - (begin + side);
       // One of them is 0; the sum needs no branch.
       return (below > 0 ? below : 0) + (above > 0 ? above : 0);
+    }
+    /// Squared gaps to the ranges of `half` cells from `cell` on and behind these.
+    Doubles2 halves(std::uint32_t cell, std::uint32_t half) const noexcept {
+      const auto begin = static_cast<double>(static_cast<std::int32_t>(cell));
+      const auto side = static_cast<double>(static_cast<std::int32_t>(half));
+      const Doubles2 begins{begin, begin + side};
+      const Doubles2 below = begins - high;
+      const Doubles2 above = low - (begins + side);
+      const Doubles2 none{0, 0};
+      const Doubles2 gaps = (below > none ? below : none) + (above > none ? above : none);
+      return gaps * gaps;
     }
   };
   static Range widened(double at) noexcept { return {at - 0x1p-28, at + 0x1p-28}; }

@@ -35,9 +35,11 @@ class Pairs {
 };
 
 /// One pass: counts, starts of the values' places, each pair to its place. Equal digits keep their order.
-inline void sort_by_digit(const Pairs& from, const Pairs& to, unsigned shift,
-                          std::span<std::uint32_t> counts) noexcept {
-  const auto digit = [shift](std::uint32_t key) { return key >> shift & (octree_sort_values - 1); };
+inline void sort_by_digit(const Pairs& from, const Pairs& to, unsigned shift, unsigned bits,
+                          std::span<std::uint32_t> all_counts) noexcept {
+  const std::uint32_t mask = (std::uint32_t{1} << bits) - 1;
+  const auto digit = [shift, mask](std::uint32_t key) { return key >> shift & mask; };
+  const std::span<std::uint32_t> counts = all_counts.first(std::size_t{mask} + 1);
   const std::size_t n = from.size();
   for (std::uint32_t& count : counts) count = 0;
   for (std::size_t i = 0; i < n; ++i) ++counts[digit(from[i].key)];
@@ -53,15 +55,18 @@ inline void sort_by_digit(const Pairs& from, const Pairs& to, unsigned shift,
   }
 }
 
-/// Stable, by key, least significant digit first. `varying` has every bit in which any two keys differ; the
-/// others are not looked at. Says in which of the two memories the result is.
+/// Stable, by the bits of the key from the lowest to the highest of `varying`, which has every bit of them in
+/// which any two keys differ; least significant digit first. Says in which of the two memories the result is.
 inline Pairs radix_sort(Pairs pairs, Pairs other, std::uint32_t varying,
                         std::span<std::uint32_t> counts) noexcept {
-  constexpr auto bits = static_cast<unsigned>(std::countr_zero(octree_sort_values));
+  constexpr auto most_bits = static_cast<unsigned>(std::countr_zero(octree_sort_values));
+  const auto end = static_cast<unsigned>(std::bit_width(varying));
   unsigned at = 0;
-  while (at < 32 && varying >> at != 0) {
+  while (at < end) {
     at += static_cast<unsigned>(std::countr_zero(varying >> at));
-    sort_by_digit(pairs, other, at, counts);
+    const unsigned passes = (end - at + most_bits - 1) / most_bits;
+    const unsigned bits = (end - at + passes - 1) / passes;
+    sort_by_digit(pairs, other, at, bits, counts);
     const Pairs sorted = other;
     other = pairs;
     pairs = sorted;
