@@ -7,17 +7,27 @@
 namespace straightedge::ransac {
 namespace {
 
-void append(Subset& subset, std::uint32_t number, const Reading& r) noexcept {
+/// Parts are taken in so many turns, neighbours in different ones.
+constexpr std::uint32_t turns = 8;
+/// Pixels of a square that are tried, unless readings are few.
+constexpr std::int32_t tries = 8;
+
+void put(const Subset& subset, std::uint32_t i, std::uint32_t number, const Reading& r) noexcept {
   const detail::RansacPlanesMemory& m = subset.memory;
-  const std::uint32_t i = subset.count++;
-  m.x[i] = static_cast<float>(r.x * r.w);
-  m.y[i] = static_cast<float>(r.y * r.w);
-  m.z[i] = static_cast<float>(r.z * r.w);
-  m.w[i] = static_cast<float>(r.w);
+  const auto x = static_cast<float>(r.x), y = static_cast<float>(r.y), z = static_cast<float>(r.z);
+  const auto w = static_cast<float>(r.w);
+  m.first[i] = x;
+  m.second[i] = y;
+  m.third[i] = z;
+  m.x[i] = x * w;
+  m.y[i] = y * w;
+  m.z[i] = z * w;
+  m.w[i] = w;
+  m.reading[i] = number;
+  if (m.place_x.empty()) return;
   m.place_x[i] = static_cast<float>(r.place.x);
   m.place_y[i] = static_cast<float>(r.place.y);
   m.place_z[i] = static_cast<float>(r.place.z);
-  m.reading[i] = number;
 }
 
 /// The least side of squares of which the frame has no more than `most`.
@@ -31,60 +41,102 @@ std::int32_t square_side(Size size, std::uint32_t most) noexcept {
   return side;
 }
 
-/// From a pixel drawn by chance on, row by row and round again, the first reading that is free.
-void draw_pixel(Subset& subset, std::span<const std::uint16_t> labels, std::int32_t u0, std::int32_t v0,
-                std::int32_t side, Pcg32& random) noexcept {
-  const ImageView<const float>& frame = subset.readings.frame;
-  const std::int32_t width = frame.width - u0 < side ? frame.width - u0 : side;
-  const std::int32_t height = frame.height - v0 < side ? frame.height - v0 : side;
-  const std::int32_t pixels = width * height;
-  auto at = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(pixels)));
-  for (std::int32_t tried = 0; tried < pixels; ++tried, at = at + 1 < pixels ? at + 1 : 0) {
-    const std::int32_t u = u0 + at % width;
-    const std::int32_t v = v0 + at / width;
-    const auto number = static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(frame.width) +
-                        static_cast<std::uint32_t>(u);
+/// Squares of a frame.
+struct Squares {
+  Subset& subset;
+  const Labels& labels;
+  Size size;
+  std::int32_t side;
+
+  /// From a pixel drawn by chance on, some steps on and round again, the first of `most` that is free.
+  void draw(std::int32_t u0, std::int32_t v0, std::int32_t most, Pcg32& random) noexcept {
+    const std::int32_t width = size.width - u0 < side ? size.width - u0 : side;
+    const std::int32_t height = size.height - v0 < side ? size.height - v0 : side;
+    const std::int32_t pixels = width * height;
+    auto at = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(pixels)));
     Reading r;
-    if (labels[number] != 0 || !subset.readings.read_pixel(u, v, r)) continue;
-    append(subset, number, r);
-    return;
+    for (std::int32_t tried = 0; tried < pixels && tried < most; ++tried) {
+      const std::int32_t row = at / width;
+      const std::int32_t u = u0 + (at - row * width), v = v0 + row;
+      if (subset.readings.read_pixel(u, v, r) &&
+          labels.free(static_cast<std::size_t>(u), static_cast<std::size_t>(v))) {
+        const auto number = static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(size.width) +
+                            static_cast<std::uint32_t>(u);
+        put(subset, subset.count++, number, r);
+        return;
+      }
+      at = at + 1 < pixels ? at + 1 : 0;
+    }
   }
+
+  void draw_all(std::int32_t most, Pcg32& random) noexcept {
+    constexpr auto all = static_cast<std::int32_t>(turns);
+    for (std::int32_t turn = 0; turn < all; ++turn) {
+      std::int32_t first = turn;
+      for (std::int32_t v = 0; v < size.height; v += side, first = (first + 3) % all)
+        for (std::int32_t u = first * side; u < size.width; u += all * side) draw(u, v, most, random);
+    }
+  }
+};
+
+void draw_from_frame(Subset& subset, const Labels& labels, std::uint32_t most, Pcg32& random) noexcept {
+  const Size size = subset.readings.size();
+  Squares squares{subset, labels, size, square_side(size, most)};
+  squares.draw_all(tries, random);
+  if (subset.count >= most / 4) return;
+  subset.count = 0;
+  squares.draw_all(squares.side * squares.side, random);
 }
 
-void draw_from_frame(Subset& subset, std::span<const std::uint16_t> labels, std::uint32_t most,
-                     Pcg32& random) noexcept {
-  const ImageView<const float>& frame = subset.readings.frame;
-  const std::int32_t side = square_side(frame.size(), most);
-  for (std::int32_t v = 0; v < frame.height; v += side)
-    for (std::int32_t u = 0; u < frame.width; u += side) draw_pixel(subset, labels, u, v, side, random);
+std::uint32_t count_free(const Readings& readings, const Labels& labels) noexcept {
+  const std::uint32_t count = readings.count();
+  Reading r;
+  std::uint32_t left = 0;
+  for (std::uint32_t i = 0; i < count; ++i) left += labels.free(i, 0) && readings.read(i, r) ? 1U : 0U;
+  return left;
 }
 
 /// Runs of readings, whatever lies between them: what is no reading has no influence.
-void draw_from_cloud(Subset& subset, std::span<const std::uint16_t> labels, std::uint32_t most,
-                     Pcg32& random) noexcept {
-  const std::uint32_t count = subset.readings.count();
-  Reading r;
-  std::uint32_t left = 0;
-  for (std::uint32_t i = 0; i < count; ++i) left += labels[i] == 0 && subset.readings.read(i, r) ? 1U : 0U;
-  const std::uint32_t parts = left < most ? left : most;
-  if (parts == 0) return;
-  const auto begin_of = [&](std::uint32_t part) {
+struct Runs {
+  std::uint32_t left, parts;
+
+  std::uint32_t begin_of(std::uint32_t part) const noexcept {
     return static_cast<std::uint32_t>(std::uint64_t{left} * part / parts);
-  };
-  std::uint32_t part = 0;
-  std::uint32_t wanted = random.below(begin_of(1));
-  std::uint32_t passed = 0;
-  for (std::uint32_t i = 0; i < count && part < parts; ++i) {
-    if (labels[i] != 0 || !subset.readings.read(i, r) || passed++ != wanted) continue;
-    append(subset, i, r);
-    if (++part < parts) wanted = begin_of(part) + random.below(begin_of(part + 1) - begin_of(part));
+  }
+  std::uint32_t draw(std::uint32_t part, Pcg32& random) const noexcept {
+    const std::uint32_t begin = begin_of(part);
+    return begin + random.below(begin_of(part + 1) - begin);
+  }
+  /// Where the part's reading comes among those of all turns.
+  std::uint32_t place_of(std::uint32_t part) const noexcept {
+    const std::uint32_t turn = part % turns, whole = parts / turns, more = parts % turns;
+    return turn * whole + (turn < more ? turn : more) + part / turns;
+  }
+};
+
+void draw_from_cloud(Subset& subset, const Labels& labels, std::uint32_t most, Pcg32& random) noexcept {
+  const Readings& readings = subset.readings;
+  const std::uint32_t count = readings.count(), left = count_free(readings, labels);
+  const Runs runs{left, left < most ? left : most};
+  subset.count = runs.parts;
+  Reading r;
+  std::uint32_t part = 0, passed = 0, i = 0;
+  while (part < runs.parts) {
+    const std::uint32_t wanted = runs.draw(part, random);
+    if (left == count) {
+      i = wanted;
+      (void)readings.read(i, r);
+    } else {
+      while (!labels.free(i, 0) || !readings.read(i, r) || passed++ != wanted) ++i;
+    }
+    put(subset, runs.place_of(part++), i++, r);
   }
 }
 
 }  // namespace
 
-void draw_subset(Subset& subset, std::span<const std::uint16_t> labels, std::uint32_t most,
-                 std::uint64_t seed, std::uint64_t stream) noexcept {
+void draw_subset(Subset& subset, const Labels& labels, std::uint32_t most, std::uint64_t seed,
+                 std::uint64_t stream) noexcept {
   const detail::RansacPlanesMemory& m = subset.memory;
   Pcg32 random(seed, stream);
   subset.count = 0;
