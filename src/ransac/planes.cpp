@@ -21,8 +21,9 @@ constexpr std::uint64_t subset_stream(std::uint32_t plane) noexcept {
 
 /// Planes whose scores in the subset differ by less than so many standard deviations look at more readings.
 constexpr double contest_sigmas = 3;
-/// One of so many rows of a frame, or blocks of a cloud.
+/// One of so many rows of a frame, or blocks of a cloud, and how wide the gate of their least squares is.
 constexpr std::uint32_t contest_part = 4;
+constexpr double contest_gates = 1.5;
 
 struct Job {
   const Readings& readings;
@@ -46,31 +47,46 @@ std::uint32_t least_inliers(const RansacOptions& o, std::uint32_t readings) noex
   return by_share > o.min_inliers ? by_share : o.min_inliers;
 }
 
+/// Least squares over some of the readings, those of a wider gate: the subset alone leaves a plane tilted.
+LinearPlane refined(const Job& job, const LinearPlane& plane) noexcept {
+  Readings wide = job.readings;
+  wide.gate.sigmas *= contest_gates;
+  wide.gate.fixed_m *= contest_gates;
+  std::uint32_t seen = 0;
+  LinearPlane found;
+  const ransac::ModelSums sums =
+      ransac::Verify{wide, job.labels, *job.options.kernels}.sum_inliers(plane, contest_part, seen);
+  return ransac::fit_model(sums, job.readings, found) ? found : plane;
+}
+
 /// Step 6. Of the candidates that may be the best the one with the most readings.
-const LinearPlane& win(const Job& job, const ransac::Subset& subset, const ransac::Consensus& found) noexcept {
+LinearPlane win(const Job& job, const ransac::Subset& subset, const ransac::Consensus& found) noexcept {
   const auto score = [&](std::uint32_t i) {
     return static_cast<double>(subset.count) - static_cast<double>(found.candidates[i].cost);
   };
   // Each score is a sum of numbers up to 1, so its variance is at most the score.
   const double best = score(found.best);
   const double least = best - contest_sigmas * square_root(2 * best);
-  std::uint32_t winner = found.best, most = 0;
+  const auto inliers_of = [&](const LinearPlane& plane) { return job.verify().count_inliers(plane, contest_part); };
+  LinearPlane winner = refined(job, found.candidates[found.best].plane);
+  std::uint32_t most = 0;
   for (std::uint32_t i = 0; i < found.count; ++i) {
     if (i == found.best || score(i) < least) continue;
-    if (most == 0) most = job.verify().count_inliers(found.candidates[winner].plane, contest_part);
-    const std::uint32_t inliers = job.verify().count_inliers(found.candidates[i].plane, contest_part);
+    if (most == 0) most = inliers_of(winner);
+    const LinearPlane other = refined(job, found.candidates[i].plane);
+    const std::uint32_t inliers = inliers_of(other);
     if (inliers <= most) continue;
     most = inliers;
-    winner = i;
+    winner = other;
   }
-  return found.candidates[winner].plane;
+  return winner;
 }
 
 /// Step 7. False: no plane of enough readings.
 bool verify(Job& job, const LinearPlane& plane, FoundPlane& found) noexcept {
   const ransac::Verify all = job.verify();
   std::uint32_t seen = 0;
-  const ransac::ModelSums sums = all.sum_inliers(plane, seen);
+  const ransac::ModelSums sums = all.sum_inliers(plane, 1, seen);
   const std::uint32_t index = job.result.found.planes;
   if (index == 0) {
     job.result.found.readings = seen;
@@ -166,7 +182,7 @@ void find_planes(Job& job) noexcept {
   found.seed = job.options.seed;
   while (found.planes < job.options.max_planes && next_plane(job)) {
   }
-  if (found.readings == 0) (void)job.verify().sum_inliers({}, found.readings);
+  if (found.readings == 0) (void)job.verify().sum_inliers({}, 1, found.readings);
   if (found.planes > 1) label(job);
   if (job.options.split) split(job);
 }

@@ -131,9 +131,10 @@ std::uint32_t label_points(const RansacPoints& p, std::uint16_t label, std::uint
 }  // namespace
 
 template <class Q>
-ModelSums Verify::sum_frame(const LinearPlane& plane, std::uint32_t& seen) const noexcept {
+ModelSums Verify::sum_frame(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept {
   InverseDepthMoments m;
-  for_pixels<Q>(readings, labels, plane, 1, [&](const RansacPixels<Q>& row, std::int32_t u, std::int32_t v) {
+  const auto rows = static_cast<std::int32_t>(part);
+  for_pixels<Q>(readings, labels, plane, rows, [&](const RansacPixels<Q>& row, std::int32_t u, std::int32_t v) {
     RansacPixelSums s;
     if constexpr (sizeof(Q) == sizeof(float)) {
       s = kernels.inverse.sum(row);
@@ -148,11 +149,11 @@ ModelSums Verify::sum_frame(const LinearPlane& plane, std::uint32_t& seen) const
   return sums;
 }
 
-ModelSums Verify::sum_space(const LinearPlane& plane, std::uint32_t& seen) const noexcept {
+ModelSums Verify::sum_space(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept {
   const AxisOrder order = axis_order(plane);
   CloudBlocks blocks(readings, labels, plane, order);
   SpaceSums s;
-  blocks.for_each(1, [&](const RansacPoints& block, std::size_t) {
+  blocks.for_each(part, [&](const RansacPoints& block, std::size_t) {
     const RansacPointSums some = blocks.kernels(kernels).sum_points(block);
     seen += some.readings;
     s.add(some);
@@ -162,10 +163,10 @@ ModelSums Verify::sum_space(const LinearPlane& plane, std::uint32_t& seen) const
   return sums;
 }
 
-ModelSums Verify::sum_rays(const LinearPlane& plane, std::uint32_t& seen) const noexcept {
+ModelSums Verify::sum_rays(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept {
   ModelSums sums;
   Reading r;
-  for (std::uint32_t i = 0; i < readings.count(); ++i) {
+  for (std::uint32_t i = 0; i < readings.count(); i += part) {
     if (!labels.free(i, 0) || !readings.read(i, r)) continue;
     ++seen;
     if (within(plane, r)) sums.add(r, false);
@@ -173,11 +174,11 @@ ModelSums Verify::sum_rays(const LinearPlane& plane, std::uint32_t& seen) const 
   return sums;
 }
 
-ModelSums Verify::sum_inliers(const LinearPlane& plane, std::uint32_t& seen) const noexcept {
+ModelSums Verify::sum_inliers(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept {
   seen = 0;
-  if (readings.is_raw()) return sum_frame<std::uint16_t>(plane, seen);
-  if (readings.is_frame()) return sum_frame<float>(plane, seen);
-  return readings.in_space() ? sum_space(plane, seen) : sum_rays(plane, seen);
+  if (readings.is_raw()) return sum_frame<std::uint16_t>(plane, part, seen);
+  if (readings.is_frame()) return sum_frame<float>(plane, part, seen);
+  return readings.in_space() ? sum_space(plane, part, seen) : sum_rays(plane, part, seen);
 }
 
 std::uint32_t Verify::count_inliers(const LinearPlane& plane, std::uint32_t part) const noexcept {

@@ -16,10 +16,12 @@ struct Verify {
   const Labels& labels;
   const RansacKernels& kernels;
 
-  /// Sums over those within the gate of the plane; `seen` is how many there are, within or not.
-  ModelSums sum_inliers(const LinearPlane& plane, std::uint32_t& seen) const noexcept;
+  // `part`: looks at every so-manieth row of a frame, block of a cloud.
 
-  /// How many are within the gate, looking at every `part`-th row of a frame or block of a cloud.
+  /// Sums over those within the gate of the plane; `seen` is how many there are, within or not.
+  ModelSums sum_inliers(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept;
+
+  /// How many are within the gate.
   std::uint32_t count_inliers(const LinearPlane& plane, std::uint32_t part) const noexcept;
 
   /// Gives them the label. Returns how many.
@@ -27,9 +29,9 @@ struct Verify {
 
  private:
   template <class Q>
-  ModelSums sum_frame(const LinearPlane& plane, std::uint32_t& seen) const noexcept;
-  ModelSums sum_space(const LinearPlane& plane, std::uint32_t& seen) const noexcept;
-  ModelSums sum_rays(const LinearPlane& plane, std::uint32_t& seen) const noexcept;
+  ModelSums sum_frame(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept;
+  ModelSums sum_space(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept;
+  ModelSums sum_rays(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept;
 };
 
 }  // namespace straightedge::ransac
