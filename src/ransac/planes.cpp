@@ -22,8 +22,8 @@ constexpr std::uint64_t subset_stream(std::uint32_t plane) noexcept {
 /// Planes whose scores in the subset differ by less than so many standard deviations look at more readings.
 constexpr double contest_sigmas = 3;
 /// One of so many rows of a frame, or blocks of a cloud, and how wide the gate of their least squares is.
-constexpr std::uint32_t contest_part = 4;
-constexpr double contest_gates = 1.5;
+constexpr std::uint32_t contest_part = 8;
+constexpr double contest_gates = 2;
 
 struct Job {
   const Readings& readings;

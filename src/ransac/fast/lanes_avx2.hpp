@@ -39,6 +39,10 @@ struct Floats {
   Mask operator<=(Floats b) const noexcept { return {_mm256_cmp_ps(v, b.v, _CMP_LE_OQ)}; }
   Mask operator==(Floats b) const noexcept { return {_mm256_cmp_ps(v, b.v, _CMP_EQ_OQ)}; }
   Floats magnitude() const noexcept { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), v)}; }
+  /// The sum in the lanes that are in the mask.
+  Floats plus(Floats b, Mask mask) const noexcept {
+    return {_mm256_add_ps(v, _mm256_and_ps(mask.v, b.v))};
+  }
   /// 0 in the lanes that are not in the mask.
   Floats where(Mask mask) const noexcept { return {_mm256_and_ps(mask.v, v)}; }
 };

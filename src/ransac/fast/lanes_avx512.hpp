@@ -36,6 +36,8 @@ struct Floats {
   Mask operator<=(Floats b) const noexcept { return _mm512_cmp_ps_mask(v, b.v, _CMP_LE_OQ); }
   Mask operator==(Floats b) const noexcept { return _mm512_cmp_ps_mask(v, b.v, _CMP_EQ_OQ); }
   Floats magnitude() const noexcept { return {_mm512_abs_ps(v)}; }
+  /// The sum in the lanes that are in the mask.
+  Floats plus(Floats b, Mask mask) const noexcept { return {_mm512_mask_add_ps(v, mask, v, b.v)}; }
   /// 0 in the lanes that are not in the mask.
   Floats where(Mask mask) const noexcept { return {_mm512_maskz_mov_ps(mask, v)}; }
 };

@@ -47,13 +47,12 @@ struct Sums {
   void add(Floats::Mask some, Floats::Mask inside, Floats at, Floats residual) noexcept {
     readings += count_of(some);
     if (!inside) return;
-    const Floats here = at.where(inside), e = residual.where(inside);
     n += count_of(inside);
-    u = u + here;
-    uu = uu + here * here;
-    r = r + e;
-    ur = ur + at * e;
-    rr = rr + e * e;
+    u = u.plus(at, inside);
+    uu = uu.plus(at * at, inside);
+    r = r.plus(residual, inside);
+    ur = ur.plus(at * residual, inside);
+    rr = rr.plus(residual * residual, inside);
   }
 };
 
@@ -71,42 +70,46 @@ struct Tail {
   }
 };
 
-/// Calls visit(pixels, labels, u) for each group of lanes, u being its first column.
-template <class Q, class Visit>
-void for_groups(const RansacPixels<Q>& row, std::int32_t first, Visit visit) noexcept {
-  const std::int32_t whole = row.count / lanes * lanes;
-  for (std::int32_t i = first; i < whole; i += lanes)
-    visit(row.pixels + i, row.labels == nullptr ? nullptr : row.labels + i, i);
-  if (whole == row.count) return;
-  const Tail<Q> tail(row, whole);
-  visit(tail.pixels + first, row.labels == nullptr ? nullptr : tail.labels + first, whole + first);
-}
-
 Floats columns(std::int32_t first) noexcept {
   float column[width];
   for (std::int32_t l = 0; l < width; ++l) column[l] = static_cast<float>(first + l);
   return Floats::load(column);
 }
 
+/// Calls visit(inside, readings, u, r) for each group of lanes.
+template <class Q, class Visit>
+void for_groups(const RansacPixels<Q>& row, std::int32_t first, Visit visit) noexcept {
+  const Look<Q> look(row);
+  const std::int32_t whole = row.count / lanes * lanes;
+  Floats u = columns(first), r;
+  Floats::Mask some;
+  if (row.labels == nullptr) {
+    for (std::int32_t i = first; i < whole; i += lanes) {
+      const Floats::Mask inside = look.at(row.pixels + i, u, some, r);
+      visit(inside, some, u, r);
+      u = u + Floats::all(lanes);
+    }
+  } else {
+    for (std::int32_t i = first; i < whole; i += lanes) {
+      const Floats::Mask inside = look.at(row.pixels + i, u, some, r), free = unlabelled(row.labels + i);
+      visit(both(inside, free), both(some, free), u, r);
+      u = u + Floats::all(lanes);
+    }
+  }
+  if (whole == row.count) return;
+  const Tail<Q> tail(row, whole);
+  const Floats::Mask inside = look.at(tail.pixels + first, u, some, r), free = unlabelled(tail.labels + first);
+  visit(both(inside, free), both(some, free), u, r);
+}
+
 template <class Q>
 RansacPixelSums sum(const RansacPixels<Q>& row) noexcept {
-  const Look<Q> look(row);
   alignas(64) float lane[5][lanes];
   RansacPixelSums out;
   for (std::int32_t first = 0; first < lanes; first += width) {
     Sums sums;
-    Floats u = columns(first);
-    for_groups(row, first, [&](const Q* pixels, const std::uint16_t* labels, std::int32_t) noexcept {
-      Floats r;
-      Floats::Mask some;
-      Floats::Mask inside = look.at(pixels, u, some, r);
-      if (labels != nullptr) {
-        const Floats::Mask free = unlabelled(labels);
-        some = both(some, free);
-        inside = both(inside, free);
-      }
+    for_groups(row, first, [&](Floats::Mask inside, Floats::Mask some, Floats u, Floats r) noexcept {
       sums.add(some, inside, u, r);
-      u = u + Floats::all(lanes);
     });
     out.readings += sums.readings;
     out.n += sums.n;
@@ -126,19 +129,9 @@ RansacPixelSums sum(const RansacPixels<Q>& row) noexcept {
 
 template <class Q>
 std::uint32_t count(const RansacPixels<Q>& row) noexcept {
-  const Look<Q> look(row);
   std::uint32_t n = 0;
-  for (std::int32_t first = 0; first < lanes; first += width) {
-    Floats u = columns(first);
-    for_groups(row, first, [&](const Q* pixels, const std::uint16_t* labels, std::int32_t) noexcept {
-      Floats r;
-      Floats::Mask some;
-      Floats::Mask inside = look.at(pixels, u, some, r);
-      if (labels != nullptr) inside = both(inside, unlabelled(labels));
-      n += count_of(inside);
-      u = u + Floats::all(lanes);
-    });
-  }
+  for (std::int32_t first = 0; first < lanes; first += width)
+    for_groups(row, first, [&](Floats::Mask inside, Floats::Mask, Floats, Floats) noexcept { n += count_of(inside); });
   return n;
 }
 

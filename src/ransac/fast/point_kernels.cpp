@@ -44,16 +44,16 @@ struct Sums {
 
   Sums() noexcept { x = y = xx = xy = yy = r = xr = yr = rr = Floats::all(0); }
   void add(const Group& g) noexcept {
-    const Floats gx = g.x.where(g.inside), gy = g.y.where(g.inside), e = g.r.where(g.inside);
-    x = x + gx;
-    y = y + gy;
-    xx = xx + gx * gx;
-    xy = xy + gx * gy;
-    yy = yy + gy * gy;
-    r = r + e;
-    xr = xr + gx * e;
-    yr = yr + gy * e;
-    rr = rr + e * e;
+    const Floats::Mask in = g.inside;
+    x = x.plus(g.x, in);
+    y = y.plus(g.y, in);
+    xx = xx.plus(g.x * g.x, in);
+    xy = xy.plus(g.x * g.y, in);
+    yy = yy.plus(g.y * g.y, in);
+    r = r.plus(g.r, in);
+    xr = xr.plus(g.x * g.r, in);
+    yr = yr.plus(g.y * g.r, in);
+    rr = rr.plus(g.r * g.r, in);
   }
   void store(float (*sums)[lanes], std::int32_t first) const noexcept {
     const Floats* const all[] = {&x, &y, &xx, &xy, &yy, &r, &xr, &yr, &rr};
