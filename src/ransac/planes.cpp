@@ -106,7 +106,7 @@ bool next_plane(Job& job) noexcept {
   PlanesFound& total = job.result.found;
   // Step 1.
   ransac::Subset subset{job.readings, job.memory};
-  ransac::draw_subset(subset, job.labels, job.options.subset, job.options.seed, subset_stream(total.planes));
+  ransac::draw_subset(subset, job.labels, job.options, subset_stream(total.planes));
   // Steps 2 to 5.
   const ransac::Consensus best = ransac::find_consensus(subset, job.options, total.planes);
   total.iterations += best.iterations;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "ransac/subset.hpp"
 
+#include "ransac/cloud_blocks.hpp"
+#include "ransac/frame_rows.hpp"
 #include "straightedge/random.hpp"
 
 namespace straightedge::ransac {
@@ -12,22 +14,29 @@ constexpr std::uint32_t turns = 8;
 /// Pixels of a square that are tried, unless readings are few.
 constexpr std::int32_t tries = 8;
 
-void put(const Subset& subset, std::uint32_t i, std::uint32_t number, const Reading& r) noexcept {
+struct Floats3 {
+  float x, y, z;
+};
+
+Floats3 floats_of(const Vector3& v) noexcept {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+void put(const Subset& subset, std::uint32_t i, std::uint32_t number, const Floats3& at, float w,
+         const Floats3& place) noexcept {
   const detail::RansacPlanesMemory& m = subset.memory;
-  const auto x = static_cast<float>(r.x), y = static_cast<float>(r.y), z = static_cast<float>(r.z);
-  const auto w = static_cast<float>(r.w);
-  m.first[i] = x;
-  m.second[i] = y;
-  m.third[i] = z;
-  m.x[i] = x * w;
-  m.y[i] = y * w;
-  m.z[i] = z * w;
+  m.first[i] = at.x;
+  m.second[i] = at.y;
+  m.third[i] = at.z;
+  m.x[i] = at.x * w;
+  m.y[i] = at.y * w;
+  m.z[i] = at.z * w;
   m.w[i] = w;
   m.reading[i] = number;
   if (m.place_x.empty()) return;
-  m.place_x[i] = static_cast<float>(r.place.x);
-  m.place_y[i] = static_cast<float>(r.place.y);
-  m.place_z[i] = static_cast<float>(r.place.z);
+  m.place_x[i] = place.x;
+  m.place_y[i] = place.y;
+  m.place_z[i] = place.z;
 }
 
 /// The least side of squares of which the frame has no more than `most`.
@@ -41,31 +50,49 @@ std::int32_t square_side(Size size, std::uint32_t most) noexcept {
   return side;
 }
 
-/// Squares of a frame.
+/// Squares of a frame, its pixels being floats or std::uint16_t.
+template <class Q>
 struct Squares {
   Subset& subset;
   const Labels& labels;
-  Size size;
+  const ImageView<const Q>& frame;
   std::int32_t side;
+  float scale, constant, metres;
 
-  /// From a pixel drawn by chance on, some steps on and round again, the first of `most` that is free.
+  Squares(Subset& to, const Labels& with, std::uint32_t most) noexcept
+      : subset(to),
+        labels(with),
+        frame(frame_of<Q>(to.readings)),
+        side(square_side(frame.size(), most)),
+        scale(to.readings.scale),
+        constant(to.readings.constant()),
+        metres(to.readings.metres()) {}
+
+  /// False: no reading, or one with a label.
+  bool take(std::int32_t u, std::int32_t v) noexcept {
+    const float q = inverse_of(frame.at(u, v), scale);
+    const float wide = wide_of(q, constant, metres);
+    if (is_above(q, wide) == 0 || !labels.free(static_cast<std::size_t>(u), static_cast<std::size_t>(v)))
+      return false;
+    const auto number = static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(frame.width) +
+                        static_cast<std::uint32_t>(u);
+    const auto x = static_cast<float>(u), y = static_cast<float>(v);
+    put(subset, subset.count++, number, {x, y, q}, 1 / wide, {x, y, 0});
+    return true;
+  }
+
+  /// From a pixel drawn by chance on, one by one and round again, the first of `most` that is free.
   void draw(std::int32_t u0, std::int32_t v0, std::int32_t most, Pcg32& random) noexcept {
-    const std::int32_t width = size.width - u0 < side ? size.width - u0 : side;
-    const std::int32_t height = size.height - v0 < side ? size.height - v0 : side;
+    const std::int32_t width = frame.width - u0 < side ? frame.width - u0 : side;
+    const std::int32_t height = frame.height - v0 < side ? frame.height - v0 : side;
     const std::int32_t pixels = width * height;
-    auto at = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(pixels)));
-    Reading r;
+    const auto at = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(pixels)));
+    std::int32_t v = at / width, u = at - v * width;
     for (std::int32_t tried = 0; tried < pixels && tried < most; ++tried) {
-      const std::int32_t row = at / width;
-      const std::int32_t u = u0 + (at - row * width), v = v0 + row;
-      if (subset.readings.read_pixel(u, v, r) &&
-          labels.free(static_cast<std::size_t>(u), static_cast<std::size_t>(v))) {
-        const auto number = static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(size.width) +
-                            static_cast<std::uint32_t>(u);
-        put(subset, subset.count++, number, r);
-        return;
-      }
-      at = at + 1 < pixels ? at + 1 : 0;
+      if (take(u0 + u, v0 + v)) return;
+      if (++u < width) continue;
+      u = 0;
+      v = v + 1 < height ? v + 1 : 0;
     }
   }
 
@@ -73,26 +100,34 @@ struct Squares {
     constexpr auto all = static_cast<std::int32_t>(turns);
     for (std::int32_t turn = 0; turn < all; ++turn) {
       std::int32_t first = turn;
-      for (std::int32_t v = 0; v < size.height; v += side, first = (first + 3) % all)
-        for (std::int32_t u = first * side; u < size.width; u += all * side) draw(u, v, most, random);
+      for (std::int32_t v = 0; v < frame.height; v += side, first = (first + 3) % all)
+        for (std::int32_t u = first * side; u < frame.width; u += all * side) draw(u, v, most, random);
     }
   }
 };
 
+template <class Q>
 void draw_from_frame(Subset& subset, const Labels& labels, std::uint32_t most, Pcg32& random) noexcept {
-  const Size size = subset.readings.size();
-  Squares squares{subset, labels, size, square_side(size, most)};
+  Squares<Q> squares(subset, labels, most);
   squares.draw_all(tries, random);
   if (subset.count >= most / 4) return;
   subset.count = 0;
   squares.draw_all(squares.side * squares.side, random);
 }
 
-std::uint32_t count_free(const Readings& readings, const Labels& labels) noexcept {
-  const std::uint32_t count = readings.count();
-  Reading r;
+std::uint32_t count_free(const Readings& readings, const Labels& labels, const RansacKernels& kernels) noexcept {
   std::uint32_t left = 0;
-  for (std::uint32_t i = 0; i < count; ++i) left += labels.free(i, 0) && readings.read(i, r) ? 1U : 0U;
+  if (readings.in_space()) {
+    // No point is nearer to a plane than not at all.
+    CloudBlocks blocks(readings, labels, {}, {});
+    blocks.block.gate = 0;
+    blocks.for_each(1, [&](const RansacPoints& block, std::size_t) {
+      left += blocks.kernels(kernels).sum_points(block).readings;
+    });
+    return left;
+  }
+  Reading r;
+  for (std::uint32_t i = 0; i < readings.count(); ++i) left += labels.free(i, 0) && readings.read(i, r) ? 1U : 0U;
   return left;
 }
 
@@ -114,9 +149,10 @@ struct Runs {
   }
 };
 
-void draw_from_cloud(Subset& subset, const Labels& labels, std::uint32_t most, Pcg32& random) noexcept {
+void draw_from_cloud(Subset& subset, const Labels& labels, const RansacKernels& kernels, std::uint32_t most,
+                     Pcg32& random) noexcept {
   const Readings& readings = subset.readings;
-  const std::uint32_t count = readings.count(), left = count_free(readings, labels);
+  const std::uint32_t count = readings.count(), left = count_free(readings, labels, kernels);
   const Runs runs{left, left < most ? left : most};
   subset.count = runs.parts;
   Reading r;
@@ -129,21 +165,23 @@ void draw_from_cloud(Subset& subset, const Labels& labels, std::uint32_t most, P
     } else {
       while (!labels.free(i, 0) || !readings.read(i, r) || passed++ != wanted) ++i;
     }
-    put(subset, runs.place_of(part++), i++, r);
+    put(subset, runs.place_of(part++), i++, floats_of({r.x, r.y, r.z}), static_cast<float>(r.w), floats_of(r.place));
   }
 }
 
 }  // namespace
 
-void draw_subset(Subset& subset, const Labels& labels, std::uint32_t most, std::uint64_t seed,
+void draw_subset(Subset& subset, const Labels& labels, const RansacOptions& options,
                  std::uint64_t stream) noexcept {
   const detail::RansacPlanesMemory& m = subset.memory;
-  Pcg32 random(seed, stream);
+  Pcg32 random(options.seed, stream);
   subset.count = 0;
-  if (subset.readings.is_frame()) {
-    draw_from_frame(subset, labels, most, random);
+  if (subset.readings.is_raw()) {
+    draw_from_frame<std::uint16_t>(subset, labels, options.subset, random);
+  } else if (subset.readings.is_frame()) {
+    draw_from_frame<float>(subset, labels, options.subset, random);
   } else {
-    draw_from_cloud(subset, labels, most, random);
+    draw_from_cloud(subset, labels, *options.kernels, options.subset, random);
   }
   for (std::uint32_t i = subset.count; i < padded(subset.count); ++i) m.x[i] = m.y[i] = m.z[i] = m.w[i] = 0;
 }

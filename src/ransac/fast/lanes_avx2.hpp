@@ -63,6 +63,10 @@ inline Floats::Mask unlabelled(const std::uint16_t* labels) noexcept {
 inline Floats::Mask both(Floats::Mask a, Floats::Mask b) noexcept {
   return {_mm256_and_ps(a.v, b.v)};
 }
+/// Lanes of the mask in which a is less.
+inline Floats::Mask less_where(Floats::Mask mask, Floats a, Floats b) noexcept {
+  return both(mask, a < b);
+}
 inline std::uint32_t count_of(Floats::Mask mask) noexcept {
   return static_cast<std::uint32_t>(_mm_popcnt_u32(static_cast<unsigned>(_mm256_movemask_ps(mask.v))));
 }

@@ -57,6 +57,10 @@ inline Floats::Mask unlabelled(const std::uint16_t* labels) noexcept {
 inline Floats::Mask both(Floats::Mask a, Floats::Mask b) noexcept {
   return static_cast<Floats::Mask>(a & b);
 }
+/// Lanes of the mask in which a is less.
+inline Floats::Mask less_where(Floats::Mask mask, Floats a, Floats b) noexcept {
+  return _mm512_mask_cmp_ps_mask(mask, a.v, b.v, _CMP_LT_OQ);
+}
 inline std::uint32_t count_of(Floats::Mask mask) noexcept {
   return static_cast<std::uint32_t>(_mm_popcnt_u32(mask));
 }

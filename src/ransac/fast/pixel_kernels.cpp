@@ -33,8 +33,8 @@ struct Look {
     const Floats q = inverse_of(pixels, scale);
     const Floats wide = max(metres * (q * q), constant);
     r = q - (a * u + c);
-    readings = both(wide < q, q <= Floats::all(1e6F));
-    return both(r.magnitude() < wide, readings);
+    readings = less_where(q <= Floats::all(1e6F), wide, q);
+    return less_where(readings, r.magnitude(), wide);
   }
 };
 
