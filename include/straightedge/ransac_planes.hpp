@@ -24,12 +24,21 @@ struct RansacPlanesResult {
 
 namespace detail {
 
+/// Readings of a cloud without what lies between them.
+struct CloudBlock {
+  static constexpr std::size_t capacity = 1024;
+  float x[capacity], y[capacity], z[capacity];
+  std::uint32_t number[capacity];
+  std::uint16_t label[capacity];
+};
+
 struct RansacPlanesMemory {
   std::span<float> x, y, z, w;                 ///< rows of the subset: coordinates over the gate
   std::span<float> first, second, third;       ///< coordinates
   std::span<float> place_x, place_y, place_z;  ///< with near_radius, where the readings are: pixels or metres
   std::span<std::uint32_t> reading, near;
   std::span<std::uint16_t> label;  ///< of every reading while a search for several planes lasts
+  std::span<CloudBlock> block;     ///< with a gate in metres
   std::span<std::uint64_t> cell;   ///< of every reading of a plane that is split
   std::span<std::uint32_t> member, parent, extent;
 
@@ -46,6 +55,7 @@ struct RansacPlanesMemory {
       m.near = arena.take<std::uint32_t>(subset);
     }
     if (options.max_planes > 1 || options.split) m.label = arena.take<std::uint16_t>(readings);
+    if (options.gate.fixed_m > 0) m.block = arena.take<CloudBlock>(1);
     if (options.split) {
       m.cell = arena.take<std::uint64_t>(readings);
       m.member = arena.take<std::uint32_t>(readings);

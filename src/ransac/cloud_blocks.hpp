@@ -25,7 +25,7 @@ inline AxisOrder axis_order(const LinearPlane& p) noexcept {
 
 /// Points of a cloud with a gate in metres, in the pieces that the kernels take.
 struct CloudBlocks {
-  static constexpr std::size_t capacity = 1024;
+  static constexpr std::size_t capacity = detail::CloudBlock::capacity;
   /// Beyond so many floats from one point to the next kernels of registers cannot reach sixteen at once.
   static constexpr std::ptrdiff_t most_step = std::ptrdiff_t{1} << 24;
 
@@ -33,6 +33,7 @@ struct CloudBlocks {
   const Labels& labels;
   RansacPoints block;
   const float* first[3];
+  std::ptrdiff_t step;
 
   CloudBlocks(const Readings& of, const Labels& with, const LinearPlane& plane, const AxisOrder& order) noexcept
       : readings(of), labels(with), first{of.points.x, of.points.y, of.points.z} {
@@ -41,7 +42,8 @@ struct CloudBlocks {
     const float* const from[3] = {first[0], first[1], first[2]};
     const int axis[3] = {order.x, order.y, order.z};
     for (int i = 0; i < 3; ++i) first[i] = from[axis[i]];
-    block.step = of.points.stride / static_cast<std::ptrdiff_t>(sizeof(float));
+    step = of.points.stride / static_cast<std::ptrdiff_t>(sizeof(float));
+    block.step = of.block == nullptr ? step : 1;
     block.origin_x = static_cast<float>(origin[order.x]);
     block.origin_y = static_cast<float>(origin[order.y]);
     block.origin_z = static_cast<float>(origin[order.z]);
@@ -54,19 +56,55 @@ struct CloudBlocks {
     return block.step > most_step ? plain_ransac_kernels : wished;
   }
 
-  /// Calls visit(block, number of its first point) for every `part`-th block.
+  /// Calls visit(block) for every `part`-th block of readings: where they are, or gathered, so that what lies
+  /// between them changes no sum.
   template <class Visit>
   void for_each(std::size_t part, Visit visit) noexcept {
     const std::size_t count = readings.points.count;
-    for (std::size_t i = part / 2 * capacity < count ? part / 2 * capacity : 0; i < count; i += part * capacity) {
-      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * block.step;
-      block.x = first[0] + at;
-      block.y = first[1] + at;
-      block.z = first[2] + at;
-      block.count = static_cast<std::int32_t>(count - i < capacity ? count - i : capacity);
-      block.labels = labels.kept() ? labels.data + i : nullptr;
-      visit(block, i);
+    std::size_t next = 0;
+    for (std::size_t number = 0; next < count; ++number) {
+      const std::size_t begin = next;
+      if (readings.block == nullptr) {
+        next = count - begin < capacity ? count : begin + capacity;
+        if (number % part == 0) visit(in_place(begin, next));
+      } else {
+        next = gather(begin);
+        if (number % part == 0 && block.count > 0) visit(block);
+      }
     }
+  }
+
+ private:
+  const RansacPoints& in_place(std::size_t begin, std::size_t end) noexcept {
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(begin) * block.step;
+    block.x = first[0] + at;
+    block.y = first[1] + at;
+    block.z = first[2] + at;
+    block.count = static_cast<std::int32_t>(end - begin);
+    block.labels = labels.kept() ? labels.data + begin : nullptr;
+    return block;
+  }
+
+  /// Fills readings.block. Returns where the next one begins.
+  std::size_t gather(std::size_t i) noexcept {
+    detail::CloudBlock& to = *readings.block;
+    std::size_t k = 0;
+    for (; i < readings.points.count && k < capacity; ++i) {
+      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i) * step;
+      const float x = first[0][at], y = first[1][at], z = first[2][at];
+      if (!(((x - x) + (y - y)) + (z - z) == 0)) continue;
+      to.x[k] = x;
+      to.y[k] = y;
+      to.z[k] = z;
+      to.number[k] = static_cast<std::uint32_t>(i);
+      to.label[k++] = labels.kept() ? labels.data[i] : std::uint16_t{0};
+    }
+    block.x = to.x;
+    block.y = to.y;
+    block.z = to.z;
+    block.count = static_cast<std::int32_t>(k);
+    block.labels = labels.kept() ? to.label : nullptr;
+    return i;
   }
 };
 

@@ -33,6 +33,7 @@ struct Job {
   std::span<FoundPlane> out;
   RansacPlanesResult& result;
   std::uint32_t least = 0;  ///< readings of a plane
+  std::uint32_t left = 0;   ///< readings of a cloud without a label
 
   ransac::Verify verify() const noexcept { return {readings, labels, *options.kernels}; }
   /// The labels as one row, which those of several planes are.
@@ -106,7 +107,7 @@ bool next_plane(Job& job) noexcept {
   PlanesFound& total = job.result.found;
   // Step 1.
   ransac::Subset subset{job.readings, job.memory};
-  ransac::draw_subset(subset, job.labels, job.options, subset_stream(total.planes));
+  ransac::draw_subset(subset, job.labels, job.options, job.left, subset_stream(total.planes));
   // Steps 2 to 5.
   const ransac::Consensus best = ransac::find_consensus(subset, job.options, total.planes);
   total.iterations += best.iterations;
@@ -127,6 +128,7 @@ bool next_plane(Job& job) noexcept {
   found.score = static_cast<double>(subset.count) - static_cast<double>(best.candidates[best.best].cost);
   job.out[total.planes++] = found;
   total.labelled += found.inliers;
+  job.left -= found.inliers;
   return true;
 }
 
@@ -182,7 +184,7 @@ void find_planes(Job& job) noexcept {
   found.seed = job.options.seed;
   while (found.planes < job.options.max_planes && next_plane(job)) {
   }
-  if (found.readings == 0) (void)job.verify().sum_inliers({}, 1, found.readings);
+  if (found.planes == 0) found.readings = job.verify().count_free();
   if (found.planes > 1) label(job);
   if (job.options.split) split(job);
 }
@@ -223,6 +225,8 @@ RansacPlanesResult RansacPlanes::run(const PointsView& points, std::span<FoundPl
   if (options_.gate.fixed_m > 0) readings.origin = first_reading(points);
   const bool own = !memory_.label.empty();
   Job job{readings, options_, memory_, {}, out, result};
+  job.left = job.verify().count_free();
+  if (!memory_.block.empty() && job.left < points.count) readings.block = memory_.block.data();
   job.labels = {own ? memory_.label.data() : labels.data(), points.count, 1, 0};
   find_planes(job);
   if (own) {

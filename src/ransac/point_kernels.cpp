@@ -3,107 +3,108 @@
 #include <bit>
 
 #include "ransac/kernels.hpp"
+#include "ransac/quad.hpp"
 
 namespace straightedge::plain {
 namespace {
 
 constexpr std::int32_t lanes = ransac_lanes;
+/// Points that are looked at in one go; a multiple of the lanes.
+constexpr std::int32_t chunk = 64;
 
-/// Sixteen points: coordinates from the origin and residuals, 0 for those that are no inliers.
-struct Group {
-  float x[lanes], y[lanes], r[lanes];
-  std::int32_t readings = 0, inside = 0;
+float only(float number, std::int32_t mask) noexcept {
+  return std::bit_cast<float>(std::bit_cast<std::int32_t>(number) & mask);
+}
 
-  Group(const RansacPoints& p, std::int32_t first) noexcept {
-    const std::int32_t count = p.count - first < lanes ? p.count - first : lanes;
+/// Points from `first` on: coordinates from the origin and residuals, 0 for those that are no inliers and for
+/// what fills the last lanes up.
+struct Inliers {
+  float x[chunk], y[chunk], r[chunk];
+  std::int32_t count, readings = 0, inside = 0;
+
+  Inliers(const RansacPoints& p, std::int32_t first) noexcept
+      : count(p.count - first < chunk ? p.count - first : chunk) {
+    const std::uint16_t* const labels = p.labels == nullptr ? nullptr : p.labels + first;
     const std::ptrdiff_t at = first * p.step;
     const float *px = p.x + at, *py = p.y + at, *pz = p.z + at;
-    const std::uint16_t* const labels = p.labels == nullptr ? nullptr : p.labels + first;
-    if (p.step == 1 && count == lanes) {
-      look<lanes>(p, px, py, pz, labels, 1, lanes);
+    if (p.step == 1 && labels == nullptr) {
+      look<true>(p, px, py, pz, [](std::int32_t) { return -1; });
     } else {
-      look<0>(p, px, py, pz, labels, p.step, count);
+      look<false>(p, px, py, pz, [&](std::int32_t i) { return labels == nullptr || labels[i] == 0 ? -1 : 0; });
     }
+    for (std::int32_t i = count; i % lanes != 0; ++i) x[i] = y[i] = r[i] = 0;
   }
 
-  /// Whole: the count where it is known beforehand.
-  template <std::int32_t Whole>
-  void look(const RansacPoints& p, const float* px, const float* py, const float* pz,
-            const std::uint16_t* labels, std::ptrdiff_t step, std::int32_t some) noexcept {
-    const std::int32_t count = Whole > 0 ? Whole : some;
+  /// Contiguous: nothing lies between the points.
+  template <bool Contiguous, class Free>
+  void look(const RansacPoints& p, const float* px, const float* py, const float* pz, Free free) noexcept {
+    const std::ptrdiff_t step = Contiguous ? 1 : p.step;
+    const std::int32_t some = count;
+    std::int32_t all_readings = 0, all_inside = 0;
     const RansacCoefficients k = p.plane;
     const float ox = p.origin_x, oy = p.origin_y, oz = p.origin_z, gate = p.gate;
-    for (std::int32_t l = 0; l < count; ++l) {
-      const std::ptrdiff_t at = Whole > 0 ? l : l * step;
-      const float cx = px[at], cy = py[at], cz = pz[at];
+    for (std::int32_t i = 0; i < some; ++i) {
+      const float cx = px[i * step], cy = py[i * step], cz = pz[i * step];
       const float dx = cx - ox, dy = cy - oy;
       const float e = (k.x * dx + k.y * dy) + (k.z * (cz - oz) + k.w);
-      const float away = std::bit_cast<float>(std::bit_cast<std::int32_t>(e) & 0x7FFFFFFF);
       // A difference from itself is 0 for finite numbers alone.
-      const std::int32_t free = labels == nullptr || labels[l] == 0 ? -1 : 0;
-      const std::int32_t finite = ((cx - cx) + (cy - cy)) + (cz - cz) == 0 ? free : 0;
-      const std::int32_t in = away < gate ? finite : 0;
-      x[l] = std::bit_cast<float>(std::bit_cast<std::int32_t>(dx) & in);
-      y[l] = std::bit_cast<float>(std::bit_cast<std::int32_t>(dy) & in);
-      r[l] = std::bit_cast<float>(std::bit_cast<std::int32_t>(e) & in);
-      readings -= finite;
-      inside -= in;
+      const std::int32_t reading = ((cx - cx) + (cy - cy)) + (cz - cz) == 0 ? free(i) : 0;
+      const std::int32_t in = only(e, 0x7FFFFFFF) < gate ? reading : 0;
+      x[i] = only(dx, in);
+      y[i] = only(dy, in);
+      r[i] = only(e, in);
+      all_readings -= reading;
+      all_inside -= in;
     }
-    for (std::int32_t l = count; l < lanes; ++l) x[l] = y[l] = r[l] = 0;
+    readings = all_readings;
+    inside = all_inside;
   }
 };
 
-void add(float (&sums)[lanes], const float (&a)[lanes], const float (&b)[lanes]) noexcept {
-  for (std::int32_t l = 0; l < lanes; ++l) sums[l] += a[l] * b[l];
-}
+struct LaneSums {
+  float of[9][lanes] = {};
 
-void add(float (&sums)[lanes], const float (&a)[lanes]) noexcept {
-  for (std::int32_t l = 0; l < lanes; ++l) sums[l] += a[l];
-}
-
-float fold(float (&sums)[lanes]) noexcept {
-  for (std::int32_t half = lanes / 2; half > 0; half /= 2)
-    for (std::int32_t l = 0; l < half; ++l) sums[l] += sums[l + half];
-  return sums[0];
-}
+  void add_quad(const Inliers& in, std::int32_t l) noexcept {
+    Quad x, y, xx, xy, yy, r, xr, yr, rr;
+    Quad* const all[] = {&x, &y, &xx, &xy, &yy, &r, &xr, &yr, &rr};
+    for (int k = 0; k < 9; ++k) all[k]->load(of[k] + l);
+    for (std::int32_t i = l; i < in.count; i += lanes) {
+      const float *px = in.x + i, *py = in.y + i, *e = in.r + i;
+      x.add(px);
+      y.add(py);
+      xx.add(px, px);
+      xy.add(px, py);
+      yy.add(py, py);
+      r.add(e);
+      xr.add(px, e);
+      yr.add(py, e);
+      rr.add(e, e);
+    }
+    for (int k = 0; k < 9; ++k) all[k]->store(of[k] + l);
+  }
+};
 
 }  // namespace
 
 RansacPointSums sum_points(const RansacPoints& points) noexcept {
-  float x[lanes] = {}, y[lanes] = {}, xx[lanes] = {}, xy[lanes] = {}, yy[lanes] = {}, r[lanes] = {},
-        xr[lanes] = {}, yr[lanes] = {}, rr[lanes] = {};
+  LaneSums sums;
   std::int32_t readings = 0, n = 0;
-  for (std::int32_t first = 0; first < points.count; first += lanes) {
-    const Group g(points, first);
-    readings += g.readings;
-    n += g.inside;
-    if (g.inside == 0) continue;
-    add(x, g.x);
-    add(y, g.y);
-    add(xx, g.x, g.x);
-    add(xy, g.x, g.y);
-    add(yy, g.y, g.y);
-    add(r, g.r);
-    add(xr, g.x, g.r);
-    add(yr, g.y, g.r);
-    add(rr, g.r, g.r);
+  for (std::int32_t first = 0; first < points.count; first += chunk) {
+    const Inliers inliers(points, first);
+    readings += inliers.readings;
+    n += inliers.inside;
+    if (inliers.inside == 0) continue;
+    for (std::int32_t l = 0; l < lanes; l += 4) sums.add_quad(inliers, l);
   }
-  return {static_cast<std::uint32_t>(readings),
-          static_cast<std::uint32_t>(n),
-          fold(x),
-          fold(y),
-          fold(xx),
-          fold(xy),
-          fold(yy),
-          fold(r),
-          fold(xr),
-          fold(yr),
-          fold(rr)};
+  auto& of = sums.of;
+  const auto seen = static_cast<std::uint32_t>(readings), found = static_cast<std::uint32_t>(n);
+  return {seen,        found,       fold(of[0]), fold(of[1]), fold(of[2]), fold(of[3]),
+          fold(of[4]), fold(of[5]), fold(of[6]), fold(of[7]), fold(of[8])};
 }
 
 std::uint32_t count_points(const RansacPoints& points) noexcept {
   std::int32_t n = 0;
-  for (std::int32_t first = 0; first < points.count; first += lanes) n += Group(points, first).inside;
+  for (std::int32_t first = 0; first < points.count; first += chunk) n += Inliers(points, first).inside;
   return static_cast<std::uint32_t>(n);
 }
 

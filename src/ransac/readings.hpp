@@ -8,6 +8,7 @@
 #include "straightedge/inverse_depth.hpp"
 #include "straightedge/plane_gate.hpp"
 #include "straightedge/points_view.hpp"
+#include "straightedge/ransac_planes.hpp"
 
 namespace straightedge::ransac {
 
@@ -35,6 +36,7 @@ struct Readings {
   PointsView points;
   PlaneGate gate;
   Vector3 origin;  ///< of a cloud with a gate in metres: floats resolve what is near it
+  detail::CloudBlock* block = nullptr;  ///< for such a cloud, unless all of its points are readings
 
   bool is_raw() const noexcept { return raw.data != nullptr; }
   bool is_frame() const noexcept { return frame.data != nullptr || is_raw(); }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
 #include "ransac/kernels.hpp"
+#include "ransac/quad.hpp"
 #include "ransac/rows.hpp"
 
 namespace straightedge::plain {
@@ -23,20 +24,53 @@ void quad_costs(const RansacRows& rows, const RansacBatch& planes, std::uint32_t
   for (int h = 0; h < 4; ++h) costs[first + static_cast<std::uint32_t>(h)] = s[h];
 }
 
-/// A row as it counts in the sums: zeros beyond the limit.
-struct Change {
-  float s[lanes], t[lanes], w[lanes], e[lanes];
+/// Rows that are looked at in one go.
+constexpr std::uint32_t chunk = 64;
+
+/// Rows from `first` on as they count in the sums: zeros beyond the limit.
+struct Inliers {
+  float s[chunk], t[chunk], w[chunk], e[chunk];
+  std::uint32_t count;
+
+  Inliers(const RansacRows& rows, const RansacCoefficients& k, const float* of_s, const float* of_t, float limit,
+          std::uint32_t first) noexcept
+      : count(rows.count - first < chunk ? rows.count - first : chunk) {
+    const float *x = rows.x + first, *y = rows.y + first, *z = rows.z + first, *v = rows.w + first;
+    const float *p = of_s + first, *q = of_t + first;
+    const float kx = k.x, ky = k.y, kz = k.z, kw = k.w;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const float residual = (kx * x[i] + ky * y[i]) + (kz * z[i] + kw * v[i]);
+      const bool inside = residual * residual < limit;
+      s[i] = inside ? p[i] : 0;
+      t[i] = inside ? q[i] : 0;
+      w[i] = inside ? v[i] : 0;
+      e[i] = inside ? residual : 0;
+    }
+  }
 };
 
-void add(float (&sums)[lanes], const float (&a)[lanes], const float (&b)[lanes]) noexcept {
-  for (std::uint32_t l = 0; l < lanes; ++l) sums[l] += a[l] * b[l];
-}
+struct LaneSums {
+  float of[9][lanes] = {};
 
-float fold(float (&sums)[lanes]) noexcept {
-  for (std::uint32_t half = lanes / 2; half > 0; half /= 2)
-    for (std::uint32_t l = 0; l < half; ++l) sums[l] += sums[l + half];
-  return sums[0];
-}
+  void add_quad(const Inliers& in, std::uint32_t l) noexcept {
+    Quad ss, st, sw, tt, tw, ww, se, te, we;
+    Quad* const all[] = {&ss, &st, &sw, &tt, &tw, &ww, &se, &te, &we};
+    for (int k = 0; k < 9; ++k) all[k]->load(of[k] + l);
+    for (std::uint32_t i = l; i < in.count; i += lanes) {
+      const float *s = in.s + i, *t = in.t + i, *w = in.w + i, *e = in.e + i;
+      ss.add(s, s);
+      st.add(s, t);
+      sw.add(s, w);
+      tt.add(t, t);
+      tw.add(t, w);
+      ww.add(w, w);
+      se.add(s, e);
+      te.add(t, e);
+      we.add(w, e);
+    }
+    for (int k = 0; k < 9; ++k) all[k]->store(of[k] + l);
+  }
+};
 
 }  // namespace
 
@@ -54,31 +88,14 @@ std::uint32_t count_rows(const RansacRows& rows, const RansacCoefficients& plane
 
 RansacChangeSums sum_changes(const RansacRows& rows, const RansacCoefficients& plane, const float* s,
                              const float* t, float limit) noexcept {
-  const RansacCoefficients k = plane;
-  float sums[9][lanes] = {};
-  for (std::uint32_t i = 0; i < rows.count; i += lanes) {
-    Change c;
-    for (std::uint32_t l = 0; l < lanes; ++l) {
-      const std::uint32_t at = i + l;
-      const float e = (k.x * rows.x[at] + k.y * rows.y[at]) + (k.z * rows.z[at] + k.w * rows.w[at]);
-      const bool inside = e * e < limit;
-      c.s[l] = inside ? s[at] : 0;
-      c.t[l] = inside ? t[at] : 0;
-      c.w[l] = inside ? rows.w[at] : 0;
-      c.e[l] = inside ? e : 0;
-    }
-    add(sums[0], c.s, c.s);
-    add(sums[1], c.s, c.t);
-    add(sums[2], c.s, c.w);
-    add(sums[3], c.t, c.t);
-    add(sums[4], c.t, c.w);
-    add(sums[5], c.w, c.w);
-    add(sums[6], c.s, c.e);
-    add(sums[7], c.t, c.e);
-    add(sums[8], c.w, c.e);
+  LaneSums sums;
+  for (std::uint32_t first = 0; first < rows.count; first += chunk) {
+    const Inliers inliers(rows, plane, s, t, limit, first);
+    for (std::uint32_t l = 0; l < lanes; l += 4) sums.add_quad(inliers, l);
   }
-  return {fold(sums[0]), fold(sums[1]), fold(sums[2]), fold(sums[3]), fold(sums[4]),
-          fold(sums[5]), fold(sums[6]), fold(sums[7]), fold(sums[8])};
+  auto& of = sums.of;
+  return {fold(of[0]), fold(of[1]), fold(of[2]), fold(of[3]), fold(of[4]),
+          fold(of[5]), fold(of[6]), fold(of[7]), fold(of[8])};
 }
 
 }  // namespace straightedge::plain

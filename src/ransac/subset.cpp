@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "ransac/subset.hpp"
 
-#include "ransac/cloud_blocks.hpp"
 #include "ransac/frame_rows.hpp"
 #include "straightedge/random.hpp"
 
@@ -115,22 +114,6 @@ void draw_from_frame(Subset& subset, const Labels& labels, std::uint32_t most, P
   squares.draw_all(squares.side * squares.side, random);
 }
 
-std::uint32_t count_free(const Readings& readings, const Labels& labels, const RansacKernels& kernels) noexcept {
-  std::uint32_t left = 0;
-  if (readings.in_space()) {
-    // No point is nearer to a plane than not at all.
-    CloudBlocks blocks(readings, labels, {}, {});
-    blocks.block.gate = 0;
-    blocks.for_each(1, [&](const RansacPoints& block, std::size_t) {
-      left += blocks.kernels(kernels).sum_points(block).readings;
-    });
-    return left;
-  }
-  Reading r;
-  for (std::uint32_t i = 0; i < readings.count(); ++i) left += labels.free(i, 0) && readings.read(i, r) ? 1U : 0U;
-  return left;
-}
-
 /// Runs of readings, whatever lies between them: what is no reading has no influence.
 struct Runs {
   std::uint32_t left, parts;
@@ -149,10 +132,10 @@ struct Runs {
   }
 };
 
-void draw_from_cloud(Subset& subset, const Labels& labels, const RansacKernels& kernels, std::uint32_t most,
+void draw_from_cloud(Subset& subset, const Labels& labels, std::uint32_t left, std::uint32_t most,
                      Pcg32& random) noexcept {
   const Readings& readings = subset.readings;
-  const std::uint32_t count = readings.count(), left = count_free(readings, labels, kernels);
+  const std::uint32_t count = readings.count();
   const Runs runs{left, left < most ? left : most};
   subset.count = runs.parts;
   Reading r;
@@ -171,7 +154,7 @@ void draw_from_cloud(Subset& subset, const Labels& labels, const RansacKernels& 
 
 }  // namespace
 
-void draw_subset(Subset& subset, const Labels& labels, const RansacOptions& options,
+void draw_subset(Subset& subset, const Labels& labels, const RansacOptions& options, std::uint32_t left,
                  std::uint64_t stream) noexcept {
   const detail::RansacPlanesMemory& m = subset.memory;
   Pcg32 random(options.seed, stream);
@@ -181,7 +164,7 @@ void draw_subset(Subset& subset, const Labels& labels, const RansacOptions& opti
   } else if (subset.readings.is_frame()) {
     draw_from_frame<float>(subset, labels, options.subset, random);
   } else {
-    draw_from_cloud(subset, labels, *options.kernels, options.subset, random);
+    draw_from_cloud(subset, labels, left, options.subset, random);
   }
   for (std::uint32_t i = subset.count; i < padded(subset.count); ++i) m.x[i] = m.y[i] = m.z[i] = m.w[i] = 0;
 }

@@ -153,7 +153,7 @@ ModelSums Verify::sum_space(const LinearPlane& plane, std::uint32_t part, std::u
   const AxisOrder order = axis_order(plane);
   CloudBlocks blocks(readings, labels, plane, order);
   SpaceSums s;
-  blocks.for_each(part, [&](const RansacPoints& block, std::size_t) {
+  blocks.for_each(part, [&](const RansacPoints& block) {
     const RansacPointSums some = blocks.kernels(kernels).sum_points(block);
     seen += some.readings;
     s.add(some);
@@ -166,9 +166,8 @@ ModelSums Verify::sum_space(const LinearPlane& plane, std::uint32_t part, std::u
 ModelSums Verify::sum_rays(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept {
   ModelSums sums;
   Reading r;
-  for (std::uint32_t i = 0; i < readings.count(); i += part) {
-    if (!labels.free(i, 0) || !readings.read(i, r)) continue;
-    ++seen;
+  for (std::uint32_t i = 0; i < readings.count(); ++i) {
+    if (!labels.free(i, 0) || !readings.read(i, r) || seen++ % part != 0) continue;
     if (within(plane, r)) sums.add(r, false);
   }
   return sums;
@@ -192,11 +191,12 @@ std::uint32_t Verify::count_inliers(const LinearPlane& plane, std::uint32_t part
                       [&](const auto& row, auto, auto) { found += kernels.inverse.count(row); });
   } else if (readings.in_space()) {
     CloudBlocks blocks(readings, labels, plane, axis_order(plane));
-    blocks.for_each(part, [&](const auto& block, auto) { found += blocks.kernels(kernels).count_points(block); });
+    blocks.for_each(part, [&](const auto& block) { found += blocks.kernels(kernels).count_points(block); });
   } else {
     Reading r;
-    for (std::uint32_t i = 0; i < readings.count(); i += part)
-      found += labels.free(i, 0) && readings.read(i, r) && within(plane, r) ? 1U : 0U;
+    std::uint32_t seen = 0;
+    for (std::uint32_t i = 0; i < readings.count(); ++i)
+      found += labels.free(i, 0) && readings.read(i, r) && seen++ % part == 0 && within(plane, r) ? 1U : 0U;
   }
   return found;
 }
@@ -212,8 +212,11 @@ std::uint32_t Verify::label_inliers(const LinearPlane& plane, std::uint16_t labe
     for_pixels<float>(readings, labels, plane, 1, in_row);
   } else if (readings.in_space()) {
     CloudBlocks blocks(readings, labels, plane, axis_order(plane));
-    blocks.for_each(1, [&](const RansacPoints& block, std::size_t i) {
-      found += label_points(block, label, labels.data + i);
+    blocks.for_each(1, [&](const RansacPoints& block) {
+      found += label_points(block, label, const_cast<std::uint16_t*>(block.labels));
+      const detail::CloudBlock* const from = readings.block;
+      for (std::int32_t i = 0; from != nullptr && i < block.count; ++i)
+        labels.data[from->number[i]] = from->label[i];
     });
   } else {
     Reading r;
@@ -224,6 +227,24 @@ std::uint32_t Verify::label_inliers(const LinearPlane& plane, std::uint16_t labe
     }
   }
   return found;
+}
+
+std::uint32_t Verify::count_free() const noexcept {
+  std::uint32_t seen = 0;
+  if (readings.is_frame()) {
+    (void)sum_inliers({}, 1, seen);
+  } else if (readings.in_space()) {
+    CloudBlocks blocks(readings, labels, {}, {});
+    blocks.block.gate = 0;  // nothing is nearer than not at all
+    blocks.for_each(1, [&](const RansacPoints& block) {
+      seen += blocks.kernels(kernels).sum_points(block).readings;
+    });
+  } else {
+    Reading r;
+    for (std::uint32_t i = 0; i < readings.count(); ++i)
+      seen += labels.free(i, 0) && readings.read(i, r) ? 1U : 0U;
+  }
+  return seen;
 }
 
 }  // namespace straightedge::ransac

@@ -27,6 +27,9 @@ struct Verify {
   /// Gives them the label. Returns how many.
   std::uint32_t label_inliers(const LinearPlane& plane, std::uint16_t label) const noexcept;
 
+  /// How many there are.
+  std::uint32_t count_free() const noexcept;
+
  private:
   template <class Q>
   ModelSums sum_frame(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept;
