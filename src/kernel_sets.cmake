@@ -8,7 +8,7 @@ set(straightedge_flags_of_sse2)
 set(straightedge_flags_of_avx2 -mavx2 -mpopcnt)
 # GCC 12 warns of numbers that its own header leaves open on purpose.
 set(straightedge_flags_of_avx512 -mavx512f -mavx512bw -mavx512dq -mavx512vl -mpopcnt
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-uninitialized>)
 
 # straightedge_kernels_for(MODULE SET SOURCES...): the sources as one more part of the core, with
 # STRAIGHTEDGE_KERNEL_SET defined as the set.
