@@ -6,6 +6,7 @@
 #include "depth_scene.hpp"
 #include "plane_rows.hpp"
 #include "rows.hpp"
+#include "straightedge/host/kernels.hpp"
 #include "straightedge/ransac_planes.hpp"
 #include "straightedge/ransac_search.hpp"
 
@@ -14,21 +15,41 @@ namespace {
 
 using namespace straightedge;
 
+constexpr double metres_per_unit = 0.0002;
+
+/// The scene as a sensor gives it.
+Image<std::uint16_t> raw_depth(const DepthScene& scene) {
+  const ImageView<const float> inverse = scene.inverse_depth.view();
+  Image<std::uint16_t> raw(inverse.size());
+  for (std::int32_t v = 0; v < inverse.height; ++v)
+    for (std::int32_t u = 0; u < inverse.width; ++u) {
+      const double q = static_cast<double>(inverse.at(u, v));
+      const double units = q > 0 ? 1 / (q * metres_per_unit) + 0.5 : 0;
+      raw.view().at(u, v) = static_cast<std::uint16_t>(units < 65535 ? units : 65535);
+    }
+  return raw;
+}
+
 auto prepare_planes(const RansacOptions& options) {
   return [options](Size size) {
     struct Work {
-      DepthScene scene;
+      Image<std::uint16_t> raw;
+      PinholeCamera camera;
       std::vector<std::byte> workspace;
       std::vector<FoundPlane> planes;
       RansacPlanes ransac;
+
+      DepthView depth() const { return {raw.view(), metres_per_unit, camera}; }
     };
-    auto w = std::make_shared<Work>(Work{make_depth_scene(size), {}, std::vector<FoundPlane>(16), {}});
+    const DepthScene scene = make_depth_scene(size);
+    auto w = std::make_shared<Work>(
+        Work{raw_depth(scene), scene.camera, {}, std::vector<FoundPlane>(16), {}});
     const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     w->workspace.resize(RansacPlanes::workspace_bytes(pixels, options));
     require(RansacPlanes::prepare(w->ransac, pixels, options, w->workspace), "prepare ransac");
     return [w] {
       const RansacPlanesResult result =
-          w->ransac.run(w->scene.inverse_depth.view(), w->scene.camera, w->planes, {});
+          w->ransac.run(w->depth(), w->planes, {});
       require(result.status, "ransac");
       require_some(result.found.planes, "planes");
     };
@@ -55,8 +76,8 @@ auto prepare_search(Size size) {
 }  // namespace
 
 void add_ransac_rows(Size size) {
-  add_plane_row("ransac_first_plane", size, prepare_planes({}));
-  add_plane_row("ransac_planes", size, prepare_planes({.max_planes = 8}));
+  add_plane_row("ransac_first_plane", size, prepare_planes({.kernels = best_kernels().ransac}));
+  add_plane_row("ransac_planes", size, prepare_planes({.max_planes = 8, .kernels = best_kernels().ransac}));
   add_plane_row("ransac_candidates", size, prepare_search);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "straightedge/plane_gate.hpp"
+#include "straightedge/ransac_kernels.hpp"
 
 namespace straightedge {
 
@@ -42,6 +43,7 @@ struct RansacOptions {
                                         ///< touch are connected (pixels: those that touch)
   std::uint64_t seed = 1;
   RansacTrace trace = {};
+  const RansacKernels* kernels = &plain_ransac_kernels;  ///< not null
 };
 
 namespace detail {
@@ -50,7 +52,7 @@ constexpr bool valid(const RansacOptions& o) noexcept {
   return o.gate.valid() && o.subset >= 16 && o.subset <= 65536 && o.near_radius >= 0 &&
          o.near_radius <= 1e6 && o.confidence > 0 && o.confidence < 1 && o.max_iterations >= 1 &&
          o.max_iterations <= 10'000'000 && o.max_planes >= 1 && o.max_planes <= 65535 && o.min_inliers >= 3 &&
-         o.min_share >= 0 && o.min_share <= 1 && o.piece_cell_m > 0 && o.piece_cell_m <= 1000;
+         o.min_share >= 0 && o.min_share <= 1 && o.piece_cell_m > 0 && o.piece_cell_m <= 1000 && o.kernels != nullptr;
 }
 
 }  // namespace detail

@@ -13,6 +13,10 @@
 
 namespace straightedge {
 
+namespace ransac {
+struct Readings;
+}
+
 struct RansacPlanesResult {
   Status status = Status::not_prepared;
   PlanesFound found;
@@ -20,11 +24,21 @@ struct RansacPlanesResult {
 
 namespace detail {
 
+/// Readings of a cloud without what lies between them.
+struct CloudBlock {
+  static constexpr std::size_t capacity = 1024;
+  float x[capacity], y[capacity], z[capacity];
+  std::uint32_t number[capacity];
+  std::uint16_t label[capacity];
+};
+
 struct RansacPlanesMemory {
   std::span<float> x, y, z, w;                 ///< rows of the subset: coordinates over the gate
-  std::span<float> place_x, place_y, place_z;  ///< where the readings are: pixels or metres
+  std::span<float> first, second, third;       ///< coordinates
+  std::span<float> place_x, place_y, place_z;  ///< with near_radius, where the readings are: pixels or metres
   std::span<std::uint32_t> reading, near;
-  std::span<std::uint16_t> label;  ///< of every reading while the search lasts
+  std::span<std::uint16_t> label;  ///< of every reading while a search for several planes lasts
+  std::span<CloudBlock> block;     ///< with a gate in metres
   std::span<std::uint64_t> cell;   ///< of every reading of a plane that is split
   std::span<std::uint32_t> member, parent, extent;
 
@@ -33,11 +47,15 @@ struct RansacPlanesMemory {
     const std::size_t drawn = options.subset < readings ? options.subset : readings;
     const std::size_t subset = (drawn + 15) / 16 * 16;
     RansacPlanesMemory m;
-    for (std::span<float>* column : {&m.x, &m.y, &m.z, &m.w, &m.place_x, &m.place_y, &m.place_z})
+    for (std::span<float>* column : {&m.x, &m.y, &m.z, &m.w, &m.first, &m.second, &m.third})
       *column = arena.take<float>(subset);
     m.reading = arena.take<std::uint32_t>(subset);
-    m.near = arena.take<std::uint32_t>(options.near_radius > 0 ? subset : 0);
-    m.label = arena.take<std::uint16_t>(readings);
+    if (options.near_radius > 0) {
+      for (std::span<float>* column : {&m.place_x, &m.place_y, &m.place_z}) *column = arena.take<float>(subset);
+      m.near = arena.take<std::uint32_t>(subset);
+    }
+    if (options.max_planes > 1 || options.split) m.label = arena.take<std::uint16_t>(readings);
+    if (options.gate.fixed_m > 0) m.block = arena.take<CloudBlock>(1);
     if (options.split) {
       m.cell = arena.take<std::uint64_t>(readings);
       m.member = arena.take<std::uint32_t>(readings);
@@ -104,7 +122,16 @@ class RansacPlanes {
   RansacPlanesResult run(ImageView<const float> inverse_depth, const PinholeCamera& camera,
                          std::span<FoundPlane> out, ImageView<std::uint16_t> labels) noexcept;
 
+  /// The same frame as the sensor gives it, without a picture of 1/z: the same bits as from
+  /// inverse_depth_image. invalid_option: metres_per_unit outside 1e-38 to 1e30.
+  RansacPlanesResult run(const DepthView& depth, std::span<FoundPlane> out,
+                         ImageView<std::uint16_t> labels) noexcept;
+
  private:
+  RansacPlanesResult run(ransac::Readings& readings, std::span<FoundPlane> out,
+                         ImageView<std::uint16_t> labels) noexcept;
+  RansacPlanesResult refused(Status status) const noexcept;
+
   RansacOptions options_;
   detail::RansacPlanesMemory memory_;
   std::size_t readings_ = 0;

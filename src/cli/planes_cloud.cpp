@@ -9,6 +9,7 @@
 
 #include "cli/picture_input.hpp"
 #include "io/number_text.hpp"
+#include "straightedge/host/kernels.hpp"
 #include "straightedge/hough_planes.hpp"
 #include "straightedge/ransac_planes.hpp"
 
@@ -64,7 +65,10 @@ Result<CloudPlanes> find_planes(const PlanesArguments& arguments, PlaneMethod me
   const auto hough = [&](HoughPlanes& planes) {
     return planes.run(points, seen.labels, seen.planes, seen.found);
   };
+  const auto kernels = kernels_from_environment();
+  if (!kernels) return kernels.failure();
   CloudOptions options = arguments.cloud_options(points.count, scale);
+  options.ransac.kernels = kernels->ransac;
   options.ransac.max_planes = options.hough.max_planes = max_planes;
   seen.planes.resize(max_planes);
   const auto done = method == PlaneMethod::ransac

@@ -5,6 +5,8 @@
 #include <array>
 #include <chrono>
 
+#include "straightedge/host/kernels.hpp"
+
 namespace straightedge::cli {
 namespace {
 
@@ -16,14 +18,17 @@ Failure refused(Status status) {
 
 Result<FirstPlane> FirstPlane::create(Size size, const PlaneDetectorOptions& options) {
   FirstPlane made;
+  const auto kernels = kernels_from_environment();
+  if (!kernels) return kernels.failure();
   made.options_ = options;
-  made.inverse_depth_ = Image<float>(size);
   made.ransac_ = std::make_unique<RansacPlanes>();
   made.hough_ = std::make_unique<HoughPatchSearch>();
   const bool ransac = options.method == PlaneMethod::ransac;
   RansacOptions one;
   one.gate = options.frame.gate;
   one.seed = options.ransac.seed;
+  one.kernels = kernels->ransac;
+  if (!ransac) made.inverse_depth_ = Image<float>(size);
   HoughPatchOptions& hough = made.options_.hough;
   hough.max_candidates = 1;
   hough.rounds = 1;
@@ -42,10 +47,10 @@ double FirstPlane::time(const DepthView& depth) {
   std::array<ProposedPlane, 1> candidate;
   const auto before = std::chrono::steady_clock::now();
   // A frame that a method refuses was refused by the search for all planes, which came before.
-  (void)inverse_depth_image(depth, inverse_depth_.view());
   if (options_.method == PlaneMethod::ransac) {
-    (void)ransac_->run(inverse_depth_, depth.camera, plane, ImageView<std::uint16_t>{});
+    (void)ransac_->run(depth, plane, {});
   } else {
+    (void)inverse_depth_image(depth, inverse_depth_.view());
     (void)hough_->run(inverse_depth_, depth.camera, {}, candidate);
   }
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - before;

@@ -2,19 +2,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "ransac/subset.hpp"
+#include "ransac/triple.hpp"
 
 namespace straightedge::ransac {
 
-/// The best plane of a subset.
-struct Consensus {
+/// A plane that was optimised locally, with its MSAC cost.
+struct Candidate {
   LinearPlane plane;
-  std::uint32_t inliers = 0;  ///< of the subset; 0: no plane
+  Triple triple;  ///< that made it
+  float cost = 0;
+};
+
+/// The best planes of a subset.
+struct Consensus {
+  static constexpr std::uint32_t most = 4;
+  std::array<Candidate, most> candidates;
+  std::uint32_t count = 0;  ///< of candidates; no two of them alike
+  std::uint32_t best = 0;   ///< the cheapest
+  std::uint32_t inliers = 0;  ///< those of the best in the subset
   std::uint32_t iterations = 0;
-  double probability = 0;  ///< that a hypothesis is made of inliers alone
-  float cost = 0;          ///< MSAC
+  double probability = 0;  ///< that a hypothesis is made of inliers of the best alone
   bool cancelled = false;  ///< by the trace
 };
 

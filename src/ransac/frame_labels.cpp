@@ -37,8 +37,8 @@ std::uint32_t label_nearest_pixels(const Readings& readings, std::span<const Fou
                                    std::span<std::uint16_t> labels) noexcept {
   std::uint32_t labelled = 0;
   std::size_t first = 0;
-  for (std::int32_t v = 0; v < readings.frame.height; ++v) {
-    for (std::int32_t u = 0; u < readings.frame.width; u += FrameBlock::capacity) {
+  for (std::int32_t v = 0; v < readings.size().height; ++v) {
+    for (std::int32_t u = 0; u < readings.size().width; u += FrameBlock::capacity) {
       const FrameBlock block(readings, u, v);
       Nearest nearest(block);
       for (std::size_t j = 0; j < planes.size(); ++j) {
@@ -61,8 +61,8 @@ void refit_labelled_pixels(const Readings& readings, std::span<const std::uint16
     std::array<InverseDepthMoments, planes_in_a_pass> sums{};
     const std::uint16_t* label = labels.data();
     Reading r;
-    for (std::int32_t v = 0; v < readings.frame.height; ++v) {
-      for (std::int32_t u = 0; u < readings.frame.width; ++u, ++label) {
+    for (std::int32_t v = 0; v < readings.size().height; ++v) {
+      for (std::int32_t u = 0; u < readings.size().width; ++u, ++label) {
         const std::size_t index = *label - std::size_t{1} - first;
         if (index < planes_in_a_pass && readings.read_pixel(u, v, r)) sums[index].add(r.x, r.y, r.z);
       }

@@ -66,7 +66,7 @@ void gather(const Readings& readings, std::span<const std::uint16_t> labels, std
     const std::size_t k = members.count++;
     members.member[k] = i;
     if (readings.is_frame()) {
-      const auto width = static_cast<std::uint32_t>(readings.frame.width);
+      const auto width = static_cast<std::uint32_t>(readings.size().width);
       members.cell[k] = key_of(i % width, i / width);
     } else {
       const Vector3 p = readings.points.at(i) - fit.centroid;

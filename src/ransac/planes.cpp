@@ -6,6 +6,7 @@
 #include "ransac/verify.hpp"
 #include "straightedge/ransac_planes.hpp"
 #include "straightedge/ransac_stop.hpp"
+#include "straightedge/square_root.hpp"
 
 namespace straightedge {
 namespace {
@@ -18,14 +19,25 @@ constexpr std::uint64_t subset_stream(std::uint32_t plane) noexcept {
   return (std::uint64_t{plane} << 32U) + (std::uint64_t{1} << 31U);
 }
 
+/// Planes whose scores in the subset differ by less than so many standard deviations look at more readings.
+constexpr double contest_sigmas = 3;
+/// One of so many rows of a frame, or blocks of a cloud, and how wide the gate of their least squares is.
+constexpr std::uint32_t contest_part = 8;
+constexpr double contest_gates = 2;
+
 struct Job {
   const Readings& readings;
   const RansacOptions& options;
   const detail::RansacPlanesMemory& memory;
-  std::span<std::uint16_t> labels;
+  ransac::Labels labels;
   std::span<FoundPlane> out;
   RansacPlanesResult& result;
   std::uint32_t least = 0;  ///< readings of a plane
+  std::uint32_t left = 0;   ///< readings of a cloud without a label
+
+  ransac::Verify verify() const noexcept { return {readings, labels, *options.kernels}; }
+  /// The labels as one row, which those of several planes are.
+  std::span<std::uint16_t> all_labels() const noexcept { return {labels.data, readings.count()}; }
 };
 
 /// What remains of a plane when there are fewer: nothing.
@@ -36,25 +48,66 @@ std::uint32_t least_inliers(const RansacOptions& o, std::uint32_t readings) noex
   return by_share > o.min_inliers ? by_share : o.min_inliers;
 }
 
-/// Step 6. False: no plane of enough readings.
+/// Least squares over some of the readings, those of a wider gate: the subset alone leaves a plane tilted.
+LinearPlane refined(const Job& job, const LinearPlane& plane) noexcept {
+  Readings wide = job.readings;
+  wide.gate.sigmas *= contest_gates;
+  wide.gate.fixed_m *= contest_gates;
+  std::uint32_t seen = 0;
+  LinearPlane found;
+  const ransac::ModelSums sums =
+      ransac::Verify{wide, job.labels, *job.options.kernels}.sum_inliers(plane, contest_part, seen);
+  return ransac::fit_model(sums, job.readings, found) ? found : plane;
+}
+
+/// Step 6. Of the candidates that may be the best the one with the most readings.
+LinearPlane win(const Job& job, const ransac::Subset& subset, const ransac::Consensus& found) noexcept {
+  const auto score = [&](std::uint32_t i) {
+    return static_cast<double>(subset.count) - static_cast<double>(found.candidates[i].cost);
+  };
+  // Each score is a sum of numbers up to 1, so its variance is at most the score.
+  const double best = score(found.best);
+  const double least = best - contest_sigmas * square_root(2 * best);
+  const auto inliers_of = [&](const LinearPlane& plane) { return job.verify().count_inliers(plane, contest_part); };
+  LinearPlane winner = refined(job, found.candidates[found.best].plane);
+  std::uint32_t most = 0;
+  for (std::uint32_t i = 0; i < found.count; ++i) {
+    if (i == found.best || score(i) < least) continue;
+    if (most == 0) most = inliers_of(winner);
+    const LinearPlane other = refined(job, found.candidates[i].plane);
+    const std::uint32_t inliers = inliers_of(other);
+    if (inliers <= most) continue;
+    most = inliers;
+    winner = other;
+  }
+  return winner;
+}
+
+/// Step 7. False: no plane of enough readings.
 bool verify(Job& job, const LinearPlane& plane, FoundPlane& found) noexcept {
-  const ransac::ModelSums sums = ransac::sum_inliers(job.readings, job.labels, plane);
-  if (!ransac::fit_found(sums, job.readings, found.fit)) return false;
+  const ransac::Verify all = job.verify();
+  std::uint32_t seen = 0;
+  const ransac::ModelSums sums = all.sum_inliers(plane, 1, seen);
   const std::uint32_t index = job.result.found.planes;
+  if (index == 0) {
+    job.result.found.readings = seen;
+    job.least = least_inliers(job.options, seen);
+  }
+  if (!ransac::fit_found(sums, job.readings, found.fit)) return false;
+  const LinearPlane refitted = ransac::to_linear(found.fit.plane, job.readings);
   const auto label = static_cast<std::uint16_t>(index + 1);
-  found.inliers = ransac::label_inliers(job.readings, ransac::to_linear(found.fit.plane, job.readings), label,
-                                        job.labels);
+  found.inliers = job.labels.kept() ? all.label_inliers(refitted, label) : all.count_inliers(refitted, 1);
   if (found.inliers >= job.least) return true;
-  for (std::uint16_t& l : job.labels) l = l == label ? std::uint16_t{0} : l;
+  job.labels.change([&](std::uint16_t l) { return l == label ? std::uint16_t{0} : l; });
   return false;
 }
 
-/// Steps 1 to 6 once. False: the search is over.
+/// Steps 1 to 7 once. False: the search is over.
 bool next_plane(Job& job) noexcept {
   PlanesFound& total = job.result.found;
   // Step 1.
   ransac::Subset subset{job.readings, job.memory};
-  ransac::draw_subset(subset, job.labels, job.options.subset, job.options.seed, subset_stream(total.planes));
+  ransac::draw_subset(subset, job.labels, job.options, job.left, subset_stream(total.planes));
   // Steps 2 to 5.
   const ransac::Consensus best = ransac::find_consensus(subset, job.options, total.planes);
   total.iterations += best.iterations;
@@ -62,38 +115,39 @@ bool next_plane(Job& job) noexcept {
     job.result.status = Status::cancelled;
     return false;
   }
-  // Step 6.
+  // Steps 6 and 7.
   FoundPlane found;
-  if (best.inliers < 3 || !verify(job, best.plane, found)) return false;
+  if (best.inliers < 3 || !verify(job, win(job, subset, best), found)) return false;
   if (total.planes == job.out.size()) {
     job.result.status = Status::output_full;
-    for (std::uint16_t& l : job.labels) l = l == total.planes + 1 ? std::uint16_t{0} : l;
+    job.labels.change([&](std::uint16_t l) { return l == total.planes + 1 ? std::uint16_t{0} : l; });
     return false;
   }
   found.iterations = best.iterations;
   found.confidence = 1 - miss_probability(best.probability, best.iterations);
-  found.score = static_cast<double>(subset.count) - static_cast<double>(best.cost);
+  found.score = static_cast<double>(subset.count) - static_cast<double>(best.candidates[best.best].cost);
   job.out[total.planes++] = found;
   total.labelled += found.inliers;
+  job.left -= found.inliers;
   return true;
 }
 
 void refit(Job& job, std::span<FoundPlane> planes) noexcept {
   if (job.readings.is_frame()) {
-    ransac::refit_labelled_pixels(job.readings, job.labels, planes);
+    ransac::refit_labelled_pixels(job.readings, job.all_labels(), planes);
   } else {
-    (void)refit_labelled(job.readings.points, job.labels, job.options.gate, planes);
+    (void)refit_labelled(job.readings.points, job.all_labels(), job.options.gate, planes);
   }
 }
 
-/// Step 7.
+/// Step 8.
 void label(Job& job) noexcept {
   const std::span<FoundPlane> planes = job.out.first(job.result.found.planes);
   if (job.readings.is_frame()) {
-    for (std::uint16_t& l : job.labels) l = 0;
-    job.result.found.labelled = ransac::label_nearest_pixels(job.readings, planes, job.labels);
+    job.result.found.labelled = ransac::label_nearest_pixels(job.readings, planes, job.all_labels());
   } else {
-    (void)label_nearest(job.readings.points, planes, job.options.gate, job.labels, job.result.found.labelled);
+    (void)label_nearest(job.readings.points, planes, job.options.gate, job.all_labels(),
+                        job.result.found.labelled);
   }
   refit(job, planes);
 }
@@ -104,12 +158,12 @@ void drop_empty(Job& job) noexcept {
   for (std::uint32_t i = planes; i-- > 0;) {
     if (job.out[i].inliers > 0) continue;
     for (std::uint32_t j = i; j + 1 < planes; ++j) job.out[j] = job.out[j + 1];
-    for (std::uint16_t& l : job.labels) l = l > i + 1 ? static_cast<std::uint16_t>(l - 1) : l;
+    job.labels.change([&](std::uint16_t l) { return l > i + 1 ? static_cast<std::uint16_t>(l - 1) : l; });
     --planes;
   }
 }
 
-/// Step 8.
+/// Step 9.
 void split(Job& job) noexcept {
   PlanesFound& total = job.result.found;
   bool full = false;
@@ -124,14 +178,14 @@ void split(Job& job) noexcept {
 }
 
 void find_planes(Job& job) noexcept {
-  for (std::uint16_t& l : job.labels) l = 0;
+  job.labels.change([](std::uint16_t) { return std::uint16_t{0}; });
   job.result.status = Status::ok;
-  job.result.found.seed = job.options.seed;
-  job.result.found.readings = ransac::count_readings(job.readings, job.labels);
-  job.least = least_inliers(job.options, job.result.found.readings);
-  while (job.result.found.planes < job.options.max_planes && next_plane(job)) {
+  PlanesFound& found = job.result.found;
+  found.seed = job.options.seed;
+  while (found.planes < job.options.max_planes && next_plane(job)) {
   }
-  if (job.result.found.planes > 1) label(job);
+  if (found.planes == 0) found.readings = job.verify().count_free();
+  if (found.planes > 1) label(job);
   if (job.options.split) split(job);
 }
 
@@ -169,36 +223,69 @@ RansacPlanesResult RansacPlanes::run(const PointsView& points, std::span<FoundPl
   readings.camera = {1, 1, 0, 0};
   readings.gate = options_.gate;
   if (options_.gate.fixed_m > 0) readings.origin = first_reading(points);
-  Job job{readings, options_, memory_, memory_.label.first(points.count), out, result};
+  const bool own = !memory_.label.empty();
+  Job job{readings, options_, memory_, {}, out, result};
+  job.left = job.verify().count_free();
+  if (!memory_.block.empty() && job.left < points.count) readings.block = memory_.block.data();
+  job.labels = {own ? memory_.label.data() : labels.data(), points.count, 1, 0};
   find_planes(job);
-  for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = job.labels[i];
+  if (own) {
+    for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = job.labels.data[i];
+  }
   return result;
 }
 
 RansacPlanesResult RansacPlanes::run(ImageView<const float> inverse_depth, const PinholeCamera& camera,
                                      std::span<FoundPlane> out, ImageView<std::uint16_t> labels) noexcept {
-  RansacPlanesResult result;
-  if (readings_ == 0) return result;
-  const bool labelled = labels.data != nullptr;
-  result.status = Status::invalid_image;
-  if (!inverse_depth.valid() || !camera.valid() || (labelled && !labels.valid())) return result;
-  result.status = Status::size_mismatch;
-  const std::size_t pixels =
-      static_cast<std::size_t>(inverse_depth.width) * static_cast<std::size_t>(inverse_depth.height);
-  if (pixels > readings_ || (labelled && labels.size() != inverse_depth.size())) return result;
+  if (!inverse_depth.valid() || !camera.valid()) return refused(Status::invalid_image);
   Readings readings;
   readings.frame = inverse_depth;
   readings.camera = camera;
+  return run(readings, out, labels);
+}
+
+RansacPlanesResult RansacPlanes::run(const DepthView& depth, std::span<FoundPlane> out,
+                                     ImageView<std::uint16_t> labels) noexcept {
+  if (!depth.valid()) return refused(Status::invalid_image);
+  const double units_per_metre = 1 / depth.metres_per_unit;
+  // Every quotient is a float of full precision then.
+  if (!(units_per_metre > 1e-30 && units_per_metre < 1e38)) return refused(Status::invalid_option);
+  Readings readings;
+  readings.raw = depth.raw;
+  readings.scale = static_cast<float>(units_per_metre);
+  readings.camera = depth.camera;
+  return run(readings, out, labels);
+}
+
+RansacPlanesResult RansacPlanes::run(ransac::Readings& readings, std::span<FoundPlane> out,
+                                     ImageView<std::uint16_t> labels) noexcept {
+  const bool labelled = labels.data != nullptr;
+  if (labelled && !labels.valid()) return refused(Status::invalid_image);
+  const Size size = readings.size();
+  const std::size_t pixels = readings.count();
+  if (pixels > readings_ || (labelled && labels.size() != size)) return refused(Status::size_mismatch);
   readings.gate = options_.gate;
-  Job job{readings, options_, memory_, memory_.label.first(pixels), out, result};
-  find_planes(job);
-  if (labelled) {
-    const std::uint16_t* from = job.labels.data();
-    for (std::int32_t v = 0; v < labels.height; ++v) {
-      std::uint16_t* to = labels.row(v);
-      for (std::int32_t u = 0; u < labels.width; ++u) to[u] = *from++;
-    }
+  const bool own = !memory_.label.empty();
+  const auto width = static_cast<std::size_t>(size.width), height = static_cast<std::size_t>(size.height);
+  RansacPlanesResult result;
+  Job job{readings, options_, memory_, {}, out, result};
+  if (own) {
+    job.labels = {memory_.label.data(), width, height, static_cast<std::ptrdiff_t>(2 * width)};
+  } else if (labelled) {
+    job.labels = {labels.data, width, height, labels.stride};
   }
+  find_planes(job);
+  for (std::int32_t v = 0; own && labelled && v < size.height; ++v) {
+    const std::uint16_t* const from = job.labels.row(static_cast<std::size_t>(v));
+    std::uint16_t* const to = labels.row(v);
+    for (std::int32_t u = 0; u < size.width; ++u) to[u] = from[u];
+  }
+  return result;
+}
+
+RansacPlanesResult RansacPlanes::refused(Status status) const noexcept {
+  RansacPlanesResult result;
+  if (readings_ > 0) result.status = status;
   return result;
 }
 

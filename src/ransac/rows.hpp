@@ -4,23 +4,13 @@
 
 #include <cstdint>
 
+#include "straightedge/ransac_kernels.hpp"
+
 namespace straightedge::ransac {
 
-/// Readings as rows of four numbers, structure of arrays. A plane is four coefficients; row · coefficients is
-/// the residual in units of the gate, so that 1 is the border between inlier and outlier for every kind of
-/// input and gate. `count` is a multiple of row_lanes; what fills the rest up are rows of zeros, whose
-/// residual is 0 for every plane.
-struct Rows {
-  const float* x = nullptr;
-  const float* y = nullptr;
-  const float* z = nullptr;
-  const float* w = nullptr;
-  std::uint32_t count = 0;
-};
-
-struct Coefficients {
-  float x = 0, y = 0, z = 0, w = 0;
-};
+/// Residuals in units of the gate: 1 is the border between inlier and outlier for every kind of input and gate.
+using Rows = RansacRows;
+using Coefficients = RansacCoefficients;
 
 /// Interleaved partial sums of every sum over rows: row i adds to sum i % 16, and the sums are added up
 /// pairwise, 8 apart, 4, 2, 1. Kernels for any width of registers up to 16 floats give these bits.

@@ -2,22 +2,40 @@
 // SPDX-License-Identifier: MIT
 #include "ransac/subset.hpp"
 
+#include "ransac/frame_rows.hpp"
 #include "straightedge/random.hpp"
 
 namespace straightedge::ransac {
 namespace {
 
-void append(Subset& subset, std::uint32_t number, const Reading& r) noexcept {
+/// Parts are taken in so many turns, neighbours in different ones.
+constexpr std::uint32_t turns = 8;
+/// Pixels of a square that are tried, unless readings are few.
+constexpr std::int32_t tries = 8;
+
+struct Floats3 {
+  float x, y, z;
+};
+
+Floats3 floats_of(const Vector3& v) noexcept {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+void put(const Subset& subset, std::uint32_t i, std::uint32_t number, const Floats3& at, float w,
+         const Floats3& place) noexcept {
   const detail::RansacPlanesMemory& m = subset.memory;
-  const std::uint32_t i = subset.count++;
-  m.x[i] = static_cast<float>(r.x * r.w);
-  m.y[i] = static_cast<float>(r.y * r.w);
-  m.z[i] = static_cast<float>(r.z * r.w);
-  m.w[i] = static_cast<float>(r.w);
-  m.place_x[i] = static_cast<float>(r.place.x);
-  m.place_y[i] = static_cast<float>(r.place.y);
-  m.place_z[i] = static_cast<float>(r.place.z);
+  m.first[i] = at.x;
+  m.second[i] = at.y;
+  m.third[i] = at.z;
+  m.x[i] = at.x * w;
+  m.y[i] = at.y * w;
+  m.z[i] = at.z * w;
+  m.w[i] = w;
   m.reading[i] = number;
+  if (m.place_x.empty()) return;
+  m.place_x[i] = place.x;
+  m.place_y[i] = place.y;
+  m.place_z[i] = place.z;
 }
 
 /// The least side of squares of which the frame has no more than `most`.
@@ -31,67 +49,122 @@ std::int32_t square_side(Size size, std::uint32_t most) noexcept {
   return side;
 }
 
-/// From a pixel drawn by chance on, row by row and round again, the first reading that is free.
-void draw_pixel(Subset& subset, std::span<const std::uint16_t> labels, std::int32_t u0, std::int32_t v0,
-                std::int32_t side, Pcg32& random) noexcept {
-  const ImageView<const float>& frame = subset.readings.frame;
-  const std::int32_t width = frame.width - u0 < side ? frame.width - u0 : side;
-  const std::int32_t height = frame.height - v0 < side ? frame.height - v0 : side;
-  const std::int32_t pixels = width * height;
-  auto at = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(pixels)));
-  for (std::int32_t tried = 0; tried < pixels; ++tried, at = at + 1 < pixels ? at + 1 : 0) {
-    const std::int32_t u = u0 + at % width;
-    const std::int32_t v = v0 + at / width;
+/// Squares of a frame, its pixels being floats or std::uint16_t.
+template <class Q>
+struct Squares {
+  Subset& subset;
+  const Labels& labels;
+  const ImageView<const Q>& frame;
+  std::int32_t side;
+  float scale, constant, metres;
+
+  Squares(Subset& to, const Labels& with, std::uint32_t most) noexcept
+      : subset(to),
+        labels(with),
+        frame(frame_of<Q>(to.readings)),
+        side(square_side(frame.size(), most)),
+        scale(to.readings.scale),
+        constant(to.readings.constant()),
+        metres(to.readings.metres()) {}
+
+  /// False: no reading, or one with a label.
+  bool take(std::int32_t u, std::int32_t v) noexcept {
+    const float q = inverse_of(frame.at(u, v), scale);
+    const float wide = wide_of(q, constant, metres);
+    if (is_above(q, wide) == 0 || !labels.free(static_cast<std::size_t>(u), static_cast<std::size_t>(v)))
+      return false;
     const auto number = static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(frame.width) +
                         static_cast<std::uint32_t>(u);
-    Reading r;
-    if (labels[number] != 0 || !subset.readings.read_pixel(u, v, r)) continue;
-    append(subset, number, r);
-    return;
+    const auto x = static_cast<float>(u), y = static_cast<float>(v);
+    put(subset, subset.count++, number, {x, y, q}, 1 / wide, {x, y, 0});
+    return true;
   }
-}
 
-void draw_from_frame(Subset& subset, std::span<const std::uint16_t> labels, std::uint32_t most,
-                     Pcg32& random) noexcept {
-  const ImageView<const float>& frame = subset.readings.frame;
-  const std::int32_t side = square_side(frame.size(), most);
-  for (std::int32_t v = 0; v < frame.height; v += side)
-    for (std::int32_t u = 0; u < frame.width; u += side) draw_pixel(subset, labels, u, v, side, random);
+  /// From a pixel drawn by chance on, one by one and round again, the first of `most` that is free.
+  void draw(std::int32_t u0, std::int32_t v0, std::int32_t most, Pcg32& random) noexcept {
+    const std::int32_t width = frame.width - u0 < side ? frame.width - u0 : side;
+    const std::int32_t height = frame.height - v0 < side ? frame.height - v0 : side;
+    const std::int32_t pixels = width * height;
+    const auto at = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(pixels)));
+    std::int32_t v = at / width, u = at - v * width;
+    for (std::int32_t tried = 0; tried < pixels && tried < most; ++tried) {
+      if (take(u0 + u, v0 + v)) return;
+      if (++u < width) continue;
+      u = 0;
+      v = v + 1 < height ? v + 1 : 0;
+    }
+  }
+
+  void draw_all(std::int32_t most, Pcg32& random) noexcept {
+    constexpr auto all = static_cast<std::int32_t>(turns);
+    for (std::int32_t turn = 0; turn < all; ++turn) {
+      std::int32_t first = turn;
+      for (std::int32_t v = 0; v < frame.height; v += side, first = (first + 3) % all)
+        for (std::int32_t u = first * side; u < frame.width; u += all * side) draw(u, v, most, random);
+    }
+  }
+};
+
+template <class Q>
+void draw_from_frame(Subset& subset, const Labels& labels, std::uint32_t most, Pcg32& random) noexcept {
+  Squares<Q> squares(subset, labels, most);
+  squares.draw_all(tries, random);
+  if (subset.count >= most / 4) return;
+  subset.count = 0;
+  squares.draw_all(squares.side * squares.side, random);
 }
 
 /// Runs of readings, whatever lies between them: what is no reading has no influence.
-void draw_from_cloud(Subset& subset, std::span<const std::uint16_t> labels, std::uint32_t most,
-                     Pcg32& random) noexcept {
-  const std::uint32_t count = subset.readings.count();
-  Reading r;
-  std::uint32_t left = 0;
-  for (std::uint32_t i = 0; i < count; ++i) left += labels[i] == 0 && subset.readings.read(i, r) ? 1U : 0U;
-  const std::uint32_t parts = left < most ? left : most;
-  if (parts == 0) return;
-  const auto begin_of = [&](std::uint32_t part) {
+struct Runs {
+  std::uint32_t left, parts;
+
+  std::uint32_t begin_of(std::uint32_t part) const noexcept {
     return static_cast<std::uint32_t>(std::uint64_t{left} * part / parts);
-  };
-  std::uint32_t part = 0;
-  std::uint32_t wanted = random.below(begin_of(1));
-  std::uint32_t passed = 0;
-  for (std::uint32_t i = 0; i < count && part < parts; ++i) {
-    if (labels[i] != 0 || !subset.readings.read(i, r) || passed++ != wanted) continue;
-    append(subset, i, r);
-    if (++part < parts) wanted = begin_of(part) + random.below(begin_of(part + 1) - begin_of(part));
+  }
+  std::uint32_t draw(std::uint32_t part, Pcg32& random) const noexcept {
+    const std::uint32_t begin = begin_of(part);
+    return begin + random.below(begin_of(part + 1) - begin);
+  }
+  /// Where the part's reading comes among those of all turns.
+  std::uint32_t place_of(std::uint32_t part) const noexcept {
+    const std::uint32_t turn = part % turns, whole = parts / turns, more = parts % turns;
+    return turn * whole + (turn < more ? turn : more) + part / turns;
+  }
+};
+
+void draw_from_cloud(Subset& subset, const Labels& labels, std::uint32_t left, std::uint32_t most,
+                     Pcg32& random) noexcept {
+  const Readings& readings = subset.readings;
+  const std::uint32_t count = readings.count();
+  const Runs runs{left, left < most ? left : most};
+  subset.count = runs.parts;
+  Reading r;
+  std::uint32_t part = 0, passed = 0, i = 0;
+  while (part < runs.parts) {
+    const std::uint32_t wanted = runs.draw(part, random);
+    if (left == count) {
+      i = wanted;
+      (void)readings.read(i, r);
+    } else {
+      while (!labels.free(i, 0) || !readings.read(i, r) || passed++ != wanted) ++i;
+    }
+    put(subset, runs.place_of(part++), i++, floats_of({r.x, r.y, r.z}), static_cast<float>(r.w), floats_of(r.place));
   }
 }
 
 }  // namespace
 
-void draw_subset(Subset& subset, std::span<const std::uint16_t> labels, std::uint32_t most,
-                 std::uint64_t seed, std::uint64_t stream) noexcept {
+void draw_subset(Subset& subset, const Labels& labels, const RansacOptions& options, std::uint32_t left,
+                 std::uint64_t stream) noexcept {
   const detail::RansacPlanesMemory& m = subset.memory;
-  Pcg32 random(seed, stream);
+  Pcg32 random(options.seed, stream);
   subset.count = 0;
-  if (subset.readings.is_frame()) {
-    draw_from_frame(subset, labels, most, random);
+  if (subset.readings.is_raw()) {
+    draw_from_frame<std::uint16_t>(subset, labels, options.subset, random);
+  } else if (subset.readings.is_frame()) {
+    draw_from_frame<float>(subset, labels, options.subset, random);
   } else {
-    draw_from_cloud(subset, labels, most, random);
+    draw_from_cloud(subset, labels, left, options.subset, random);
   }
   for (std::uint32_t i = subset.count; i < padded(subset.count); ++i) m.x[i] = m.y[i] = m.z[i] = m.w[i] = 0;
 }

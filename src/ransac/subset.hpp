@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
+#include "ransac/labels.hpp"
 #include "ransac/plane_model.hpp"
 #include "ransac/rows.hpp"
 #include "straightedge/ransac_planes.hpp"
@@ -20,27 +20,20 @@ struct Subset {
   Rows rows() const noexcept {
     return {memory.x.data(), memory.y.data(), memory.z.data(), memory.w.data(), padded(count)};
   }
-  /// Its coordinates, and its gate where that is the same for all.
   Reading coordinates(std::uint32_t i) const noexcept {
     Reading r;
-    if (!readings.is_frame()) {
-      (void)readings.read(memory.reading[i], r);
-      return r;
-    }
-    // Places are pixels: floats hold them exactly.
-    const auto u = static_cast<std::int32_t>(memory.place_x[i]);
-    const auto v = static_cast<std::int32_t>(memory.place_y[i]);
-    r.x = u;
-    r.y = v;
-    r.z = static_cast<double>(readings.frame.at(u, v));
+    r.x = static_cast<double>(memory.first[i]);
+    r.y = static_cast<double>(memory.second[i]);
+    r.z = static_cast<double>(memory.third[i]);
     return r;
   }
 };
 
-/// Step 1. One by chance of each of at most `most` equal parts of the readings with label 0: squares of a
-/// frame's pixels, runs of a cloud's readings.
-void draw_subset(Subset& subset, std::span<const std::uint16_t> labels, std::uint32_t most,
-                 std::uint64_t seed, std::uint64_t stream) noexcept;
+/// Step 1, of a cloud with so many readings left. One by chance of each of at most options.subset equal parts of the readings with label 0: squares of a
+/// frame's pixels, runs of a cloud's readings. Every eighth part comes first, then every eighth beside these,
+/// and so on: the first readings are spread over everything, as all of them are.
+void draw_subset(Subset& subset, const Labels& labels, const RansacOptions& options, std::uint32_t left,
+                 std::uint64_t stream) noexcept;
 
 /// Numbers of the subset's members within the radius of number i, itself left out, into memory.near.
 std::uint32_t find_near(const Subset& subset, std::uint32_t i, double radius) noexcept;
