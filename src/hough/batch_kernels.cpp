@@ -12,15 +12,16 @@ namespace {
 
 constexpr float rounding = 12582912.0F;  // 1.5 * 2^23
 constexpr std::int32_t room = hough_batch_room;
+constexpr std::int32_t vector = 16;
 constexpr std::int32_t block = 64;  // angles that are looked at together
 
-/// Where the batch votes at one angle. All of the room, so that the loop has no rest.
-inline void find_cells(const HoughRows& rows, std::int32_t n, const HoughBatch& batch,
+/// Where the first `count` pixels of the batch, whole vectors of them, vote at one angle.
+inline void find_cells(const HoughRows& rows, std::int32_t n, const HoughBatch& batch, std::int32_t count,
                        std::uint32_t* __restrict index) noexcept {
   const float cosine = rows.cosines[n];
   const float sine = rows.sines[n];
   const std::uint32_t offset = rows.offsets[n];
-  for (std::int32_t i = 0; i < room; ++i) {
+  for (std::int32_t i = 0; i < count; ++i) {
     const float sum = batch.x[i] * cosine + batch.y[i] * sine + rounding;
     index[i] = __builtin_bit_cast(std::uint32_t, sum) + offset;
   }
@@ -39,7 +40,7 @@ void cast(Cell* cells, const HoughRows& rows, const HoughBatch& batch, Cell* mos
   Cell votes[2][room] = {};
   for (std::int32_t i = 0; i < room; ++i) most[i] = 0;
   for (std::int32_t n = 0; n < rows.angles; ++n) {
-    find_cells(rows, n, batch, index);
+    find_cells(rows, n, batch, room, index);
     Cell* const here = votes[n & 1];
     for (std::int32_t i = 0; i < batch.count; ++i) {
       Cell& cell = cells[index[i]];
@@ -55,8 +56,9 @@ void cast(Cell* cells, const HoughRows& rows, const HoughBatch& batch, Cell* mos
 template <class Cell>
 void take_off(Cell* cells, const HoughRows& rows, const HoughBatch& batch) noexcept {
   std::uint32_t index[room];
+  const std::int32_t count = (batch.count + vector - 1) / vector * vector;
   for (std::int32_t n = 0; n < rows.angles; ++n) {
-    find_cells(rows, n, batch, index);
+    find_cells(rows, n, batch, count, index);
     for (std::int32_t i = 0; i < batch.count; ++i) {
       Cell& cell = cells[index[i]];
       cell = static_cast<Cell>(cell - 1);
@@ -64,37 +66,31 @@ void take_off(Cell* cells, const HoughRows& rows, const HoughBatch& batch) noexc
   }
 }
 
-/// For angles [first, first + block): where pixel `at` votes, and how many of those behind it vote there, too.
-struct SharedCells {
-  float own[block];
-  std::int32_t later[block];
-};
-
-inline void find_shared(const float* __restrict cosines, const float* __restrict sines, std::int32_t angles,
-                        const HoughBatch& batch, std::int32_t at, SharedCells& shared) noexcept {
-  for (std::int32_t k = 0; k < angles; ++k) {
-    shared.own[k] = batch.x[at] * cosines[k] + batch.y[at] * sines[k] + rounding;
-    shared.later[k] = 0;
-  }
-  for (std::int32_t i = at + 1; i < batch.count; ++i) {
-    const float x = batch.x[i];
-    const float y = batch.y[i];
-    for (std::int32_t k = 0; k < angles; ++k)
-      shared.later[k] += x * cosines[k] + y * sines[k] + rounding == shared.own[k] ? 1 : 0;
-  }
+/// How many of the pixels behind `at` vote for the same cell as it does.
+inline std::int32_t count_later(float cosine, float sine, const HoughBatch& batch, std::int32_t at) noexcept {
+  const float own = batch.x[at] * cosine + batch.y[at] * sine + rounding;
+  std::int32_t later = 0;
+  for (std::int32_t i = at + 1; i < batch.count; ++i)
+    later += batch.x[i] * cosine + batch.y[i] * sine + rounding == own ? 1 : 0;
+  return later;
 }
 
 template <class Cell>
 HoughCandidate find(const Cell* cells, const HoughRows& rows, const HoughBatch& batch, std::int32_t at,
                     HoughCandidate best) noexcept {
-  SharedCells shared;
+  const float x = batch.x[at];
+  const float y = batch.y[at];
+  std::uint32_t index[block];
   for (std::int32_t first = 0; first < rows.angles; first += block) {
     const std::int32_t angles = rows.angles - first < block ? rows.angles - first : block;
-    find_shared(rows.cosines + first, rows.sines + first, angles, batch, at, shared);
     for (std::int32_t k = 0; k < angles; ++k) {
-      const std::uint32_t index =
-          __builtin_bit_cast(std::uint32_t, shared.own[k]) + rows.offsets[first + k];
-      const std::int32_t votes = cells[index] - shared.later[k];
+      const float sum = x * rows.cosines[first + k] + y * rows.sines[first + k] + rounding;
+      index[k] = __builtin_bit_cast(std::uint32_t, sum) + rows.offsets[first + k];
+    }
+    for (std::int32_t k = 0; k < angles; ++k) {
+      std::int32_t votes = cells[index[k]];
+      if (votes <= best.votes) continue;
+      votes -= count_later(rows.cosines[first + k], rows.sines[first + k], batch, at);
       if (votes > best.votes) best = {votes, first + k};
     }
   }

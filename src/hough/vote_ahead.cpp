@@ -38,10 +38,10 @@ class TakingOff {
     // Neighbours on a line share cells at many angles, and who decrements a cell waits for the one before:
     // so neighbours are kept apart.
     constexpr std::int32_t apart = 8;
-    HoughBatch batch;
+    batch_.count = 0;
     for (std::int32_t first = 0; first < apart; ++first)
-      for (std::int32_t i = first; i < count_; i += apart) hough::add(batch, waiting_[i]);
-    if (count_ > 0) kernels_.take_off(cells_, rows_, batch);
+      for (std::int32_t i = first; i < count_; i += apart) hough::add(batch_, waiting_[i]);
+    if (count_ > 0) kernels_.take_off(cells_, rows_, batch_);
     count_ = 0;
   }
 
@@ -49,7 +49,40 @@ class TakingOff {
   Cell* cells_;
   const HoughRows& rows_;
   const HoughCellKernels<Cell>& kernels_;
+  HoughBatch batch_;
   PixelPlace waiting_[room];
+  std::int32_t count_ = 0;
+};
+
+/// Draws some pixels before they are asked for, so that their states are in the cache by then.
+class DrawingAhead {
+ public:
+  explicit DrawingAhead(HoughJob& job) noexcept : job_(job), drawing_(job) {}
+
+  bool any() const noexcept { return next_ < count_ || drawing_.left() > 0; }
+  std::uint32_t drawn() const noexcept {
+    return job_.result.edge_pixels - drawing_.left() - static_cast<std::uint32_t>(count_ - next_);
+  }
+
+  PixelPlace next() noexcept {
+    if (next_ == count_) refill();
+    return pixels_[next_++];
+  }
+
+ private:
+  void refill() noexcept {
+    const PixelStates all = states(job_);
+    next_ = 0;
+    for (count_ = 0; count_ < room && drawing_.left() > 0; ++count_) {
+      pixels_[count_] = drawing_.next();
+      all.expect(pixels_[count_].x, pixels_[count_].y);
+    }
+  }
+
+  const HoughJob& job_;
+  Drawing drawing_;
+  PixelPlace pixels_[room];
+  std::int32_t next_ = 0;
   std::int32_t count_ = 0;
 };
 
@@ -57,10 +90,15 @@ template <class Cell>
 class Ahead {
  public:
   Ahead(HoughJob& job, Cell* cells, const HoughCellKernels<Cell>& kernels) noexcept
-      : job_(job), cells_(cells), kernels_(kernels), rows_(rows_of(job.memory)), drawing_(job) {}
+      : job_(job),
+        cells_(cells),
+        kernels_(kernels),
+        rows_(rows_of(job.memory)),
+        drawing_(job),
+        off_(cells, rows_, kernels) {}
 
   bool run() noexcept {
-    while (drawing_.left() > 0) {
+    while (drawing_.any()) {
       draw();
       kernels_.cast(cells_, rows_, batch_, most_);  // a
       for (std::int32_t i = 0; i < batch_.count; ++i) {
@@ -79,11 +117,11 @@ class Ahead {
   void draw() noexcept {
     const PixelStates all = states(job_);
     batch_.count = 0;
-    while (drawing_.left() > 0 && batch_.count < room) {
+    while (drawing_.any() && batch_.count < room) {
       const PixelPlace pixel = drawing_.next();
       if (all.at(pixel.x, pixel.y) == PixelState::gone) continue;
       places_[batch_.count] = pixel;
-      draws_[batch_.count] = job_.result.edge_pixels - drawing_.left();
+      draws_[batch_.count] = drawing_.drawn();
       add(batch_, pixel);
     }
   }
@@ -101,23 +139,22 @@ class Ahead {
     const HoughCandidate none{job_.options.threshold - 1, -1};
     const HoughCandidate candidate = kernels_.find(cells_, rows_, batch_, i, none);  // c
     if (candidate.angle < 0) return true;
-    TakingOff<Cell> off(cells_, rows_, kernels_);
-    const bool going_on = follow_line(job_, pixel, candidate, [&off](PixelPlace taken) { off.add(taken); });
-    off.finish();
+    const bool going_on = follow_line(job_, pixel, candidate, [this](PixelPlace taken) { off_.add(taken); });
+    off_.finish();
     return going_on;
   }
 
   void take_off(std::int32_t i) noexcept {
-    HoughBatch one;
-    add(one, places_[i]);
-    kernels_.take_off(cells_, rows_, one);
+    off_.add(places_[i]);
+    off_.finish();
   }
 
   HoughJob& job_;
   Cell* cells_;
   const HoughCellKernels<Cell>& kernels_;
   HoughRows rows_;
-  Drawing drawing_;
+  DrawingAhead drawing_;
+  TakingOff<Cell> off_;
   HoughBatch batch_;
   PixelPlace places_[room];
   std::uint32_t draws_[room];  ///< how many were drawn when this one was
