@@ -20,7 +20,7 @@ struct HoughRows {
 };
 
 /// Pixels that vote together.
-inline constexpr std::size_t hough_batch_room = 64;
+inline constexpr std::size_t hough_batch_room = 128;
 
 /// Room for 64, of which `count` are used; the rest is anything finite.
 struct HoughBatch {
@@ -29,27 +29,33 @@ struct HoughBatch {
   std::int32_t count = 0;
 };
 
-/// The first of the angles that has the most votes; `angle` negative: none has enough.
+/// For each pixel of a batch the first of the angles at which its cell has the most votes.
+struct HoughSeen {
+  std::int16_t votes[hough_batch_room] = {};
+  std::uint16_t angles[hough_batch_room] = {};
+};
+
+/// A line that a pixel may lie on.
 struct HoughCandidate {
   std::int32_t votes = 0;
-  std::int32_t angle = -1;
+  std::int32_t angle = -1;  ///< negative: no angle has enough votes
 };
 
 /// For accumulators whose cells are of type Cell.
 template <class Cell>
 struct HoughCellKernels {
-  /// One more vote in the cells of all pixels of the batch, for every angle. most[i], of which there are
-  /// `hough_batch_room`: the most votes that one of pixel i's cells has, after its own vote and those of the
-  /// pixels before it.
-  void (*cast)(Cell* cells, const HoughRows& rows, const HoughBatch& batch, Cell* most) noexcept;
+  /// One more vote in the cells of all pixels of the batch, at every angle. What each has seen: its own vote
+  /// and those of the pixels before it count.
+  void (*cast)(Cell* cells, const HoughRows& rows, const HoughBatch& batch, HoughSeen& seen) noexcept;
 
   /// One vote less.
   void (*take_off)(Cell* cells, const HoughRows& rows, const HoughBatch& batch) noexcept;
 
-  /// What pixel `at` of the batch found when it voted, though those behind it have voted as well: their
-  /// votes do not count. The first angle with the most votes, if these are more than `best` has, else `best`.
+  /// What pixel `at` of the batch sees when it is its turn: the first angle with the most votes, at least
+  /// `threshold`. Those behind it have voted, too; their votes do not count. `seen` is what it saw when it
+  /// voted, and cells have only lost votes since.
   HoughCandidate (*find)(const Cell* cells, const HoughRows& rows, const HoughBatch& batch, std::int32_t at,
-                         HoughCandidate best) noexcept;
+                         HoughCandidate seen, std::int32_t threshold) noexcept;
 };
 
 struct HoughKernels {

@@ -27,30 +27,35 @@ inline void find_cells(const HoughRows& rows, std::int32_t n, const HoughBatch& 
   }
 }
 
-template <class Cell>
-inline void keep_most(const Cell* __restrict votes, Cell* __restrict most) noexcept {
-  for (std::int32_t i = 0; i < room; ++i) most[i] = most[i] < votes[i] ? votes[i] : most[i];
+/// What the pixels have seen up to angle n.
+inline void keep_most(const std::int16_t* __restrict votes, std::int32_t n, HoughSeen& seen) noexcept {
+  const auto angle = static_cast<std::uint16_t>(n);
+  for (std::int32_t i = 0; i < room; ++i) {
+    const bool more = votes[i] > seen.votes[i];
+    seen.votes[i] = more ? votes[i] : seen.votes[i];
+    seen.angles[i] = more ? angle : seen.angles[i];
+  }
 }
 
 template <class Cell>
-void cast(Cell* cells, const HoughRows& rows, const HoughBatch& batch, Cell* most) noexcept {
+void cast(Cell* cells, const HoughRows& rows, const HoughBatch& batch, HoughSeen& seen) noexcept {
   // The votes of one angle are compared while those of the next are cast: reading at once, in wide
   // words, what was just written in narrow ones would have to wait.
   std::uint32_t index[room];
-  Cell votes[2][room] = {};
-  for (std::int32_t i = 0; i < room; ++i) most[i] = 0;
+  std::int16_t votes[2][room] = {};
+  const std::int32_t count = batch.count;
+  for (std::int32_t i = 0; i < room; ++i) seen.votes[i] = 0;
   for (std::int32_t n = 0; n < rows.angles; ++n) {
     find_cells(rows, n, batch, room, index);
-    Cell* const here = votes[n & 1];
-    for (std::int32_t i = 0; i < batch.count; ++i) {
+    std::int16_t* const here = votes[n & 1];
+    for (std::int32_t i = 0; i < count; ++i) {
       Cell& cell = cells[index[i]];
       cell = static_cast<Cell>(cell + 1);
-      here[i] = cell;
+      here[i] = static_cast<std::int16_t>(cell);
     }
-    keep_most(votes[(n & 1) ^ 1], most);
+    if (n > 0) keep_most(votes[(n & 1) ^ 1], n - 1, seen);
   }
-  keep_most(votes[0], most);
-  keep_most(votes[1], most);
+  keep_most(votes[(rows.angles & 1) ^ 1], rows.angles - 1, seen);
 }
 
 template <class Cell>
@@ -75,22 +80,32 @@ inline std::int32_t count_later(float cosine, float sine, const HoughBatch& batc
   return later;
 }
 
+/// The votes in the cell of pixel `at` at angle n, without those of the pixels behind it.
+template <class Cell>
+inline std::int32_t votes_in_turn(const Cell* cells, const HoughRows& rows, const HoughBatch& batch,
+                                  std::int32_t at, std::int32_t n) noexcept {
+  const float sum = batch.x[at] * rows.cosines[n] + batch.y[at] * rows.sines[n] + rounding;
+  return cells[__builtin_bit_cast(std::uint32_t, sum) + rows.offsets[n]] -
+         count_later(rows.cosines[n], rows.sines[n], batch, at);
+}
+
 template <class Cell>
 HoughCandidate find(const Cell* cells, const HoughRows& rows, const HoughBatch& batch, std::int32_t at,
-                    HoughCandidate best) noexcept {
-  const float x = batch.x[at];
-  const float y = batch.y[at];
+                    HoughCandidate seen, std::int32_t threshold) noexcept {
+  // Other cells had fewer votes, or not more and come later; and there are none that have got more.
+  if (votes_in_turn(cells, rows, batch, at, seen.angle) == seen.votes) return seen;
+  HoughCandidate best{threshold - 1, -1};
   std::uint32_t index[block];
   for (std::int32_t first = 0; first < rows.angles; first += block) {
     const std::int32_t angles = rows.angles - first < block ? rows.angles - first : block;
     for (std::int32_t k = 0; k < angles; ++k) {
-      const float sum = x * rows.cosines[first + k] + y * rows.sines[first + k] + rounding;
+      const float sum =
+          batch.x[at] * rows.cosines[first + k] + batch.y[at] * rows.sines[first + k] + rounding;
       index[k] = __builtin_bit_cast(std::uint32_t, sum) + rows.offsets[first + k];
     }
     for (std::int32_t k = 0; k < angles; ++k) {
-      std::int32_t votes = cells[index[k]];
-      if (votes <= best.votes) continue;
-      votes -= count_later(rows.cosines[first + k], rows.sines[first + k], batch, at);
+      if (cells[index[k]] <= best.votes) continue;
+      const std::int32_t votes = votes_in_turn(cells, rows, batch, at, first + k);
       if (votes > best.votes) best = {votes, first + k};
     }
   }

@@ -22,51 +22,20 @@ void add(HoughBatch& batch, PixelPlace pixel) noexcept {
   ++batch.count;
 }
 
-/// Pixels whose votes shall come off, in the order of a walk along a line.
-template <class Cell>
-class TakingOff {
- public:
-  TakingOff(Cell* cells, const HoughRows& rows, const HoughCellKernels<Cell>& kernels) noexcept
-      : cells_(cells), rows_(rows), kernels_(kernels) {}
-
-  void add(PixelPlace pixel) noexcept {
-    waiting_[count_++] = pixel;
-    if (count_ == room) finish();
-  }
-
-  void finish() noexcept {
-    // Neighbours on a line share cells at many angles, and who decrements a cell waits for the one before:
-    // so neighbours are kept apart.
-    constexpr std::int32_t apart = 8;
-    batch_.count = 0;
-    for (std::int32_t first = 0; first < apart; ++first)
-      for (std::int32_t i = first; i < count_; i += apart) hough::add(batch_, waiting_[i]);
-    if (count_ > 0) kernels_.take_off(cells_, rows_, batch_);
-    count_ = 0;
-  }
-
- private:
-  Cell* cells_;
-  const HoughRows& rows_;
-  const HoughCellKernels<Cell>& kernels_;
-  HoughBatch batch_;
-  PixelPlace waiting_[room];
-  std::int32_t count_ = 0;
-};
-
 /// Draws some pixels before they are asked for, so that their states are in the cache by then.
 class DrawingAhead {
  public:
-  explicit DrawingAhead(HoughJob& job) noexcept : job_(job), drawing_(job) {}
+  explicit DrawingAhead(HoughJob& job) noexcept
+      : job_(job), drawing_(job), drawn_(job.memory.ahead.front().drawn) {}
 
   bool any() const noexcept { return next_ < count_ || drawing_.left() > 0; }
-  std::uint32_t drawn() const noexcept {
+  std::uint32_t draws() const noexcept {
     return job_.result.edge_pixels - drawing_.left() - static_cast<std::uint32_t>(count_ - next_);
   }
 
   PixelPlace next() noexcept {
     if (next_ == count_) refill();
-    return pixels_[next_++];
+    return drawn_[next_++];
   }
 
  private:
@@ -74,37 +43,41 @@ class DrawingAhead {
     const PixelStates all = states(job_);
     next_ = 0;
     for (count_ = 0; count_ < room && drawing_.left() > 0; ++count_) {
-      pixels_[count_] = drawing_.next();
-      all.expect(pixels_[count_].x, pixels_[count_].y);
+      drawn_[count_] = drawing_.next();
+      all.expect(drawn_[count_].x, drawn_[count_].y);
     }
   }
 
   const HoughJob& job_;
   Drawing drawing_;
-  PixelPlace pixels_[room];
+  PixelPlace* drawn_;
   std::int32_t next_ = 0;
   std::int32_t count_ = 0;
 };
 
 template <class Cell>
-class Ahead {
+class VotingAhead {
  public:
-  Ahead(HoughJob& job, Cell* cells, const HoughCellKernels<Cell>& kernels) noexcept
+  VotingAhead(HoughJob& job, Cell* cells, const HoughCellKernels<Cell>& kernels) noexcept
       : job_(job),
+        ahead_(job.memory.ahead.front()),
         cells_(cells),
         kernels_(kernels),
         rows_(rows_of(job.memory)),
-        drawing_(job),
-        off_(cells, rows_, kernels) {}
+        drawing_(job) {
+    ahead_.voting = {};
+    ahead_.leaving = {};
+  }
 
   bool run() noexcept {
     while (drawing_.any()) {
       draw();
-      kernels_.cast(cells_, rows_, batch_, most_);  // a
-      for (std::int32_t i = 0; i < batch_.count; ++i) {
-        job_.result.draws = draws_[i];
+      kernels_.cast(cells_, rows_, ahead_.voting, ahead_.seen);  // a
+      for (std::int32_t i = 0; i < ahead_.voting.count; ++i) {
+        job_.result.draws = ahead_.draws[i];
         if (turn(i)) continue;
-        for (std::int32_t later = i + 1; later < batch_.count; ++later) take_off(later);
+        for (std::int32_t later = i + 1; later < ahead_.voting.count; ++later) leave(ahead_.places[later]);
+        take_off();
         return false;
       }
     }
@@ -116,60 +89,72 @@ class Ahead {
   /// Step 2.
   void draw() noexcept {
     const PixelStates all = states(job_);
-    batch_.count = 0;
-    while (drawing_.any() && batch_.count < room) {
+    HoughBatch& batch = ahead_.voting;
+    batch.count = 0;
+    while (drawing_.any() && batch.count < room) {
       const PixelPlace pixel = drawing_.next();
       if (all.at(pixel.x, pixel.y) == PixelState::gone) continue;
-      places_[batch_.count] = pixel;
-      draws_[batch_.count] = drawing_.drawn();
-      add(batch_, pixel);
+      ahead_.places[batch.count] = pixel;
+      ahead_.draws[batch.count] = drawing_.draws();
+      add(batch, pixel);
     }
   }
 
   /// Steps 3 to 6 for one of the batch. False: output full.
   bool turn(std::int32_t i) noexcept {
     const PixelStates all = states(job_);
-    const PixelPlace pixel = places_[i];
+    const PixelPlace pixel = ahead_.places[i];
     if (all.at(pixel.x, pixel.y) == PixelState::gone) {  // d
-      take_off(i);
+      leave(pixel);
+      take_off();
       return true;
     }
     all.set(pixel.x, pixel.y, PixelState::voted);
-    if (most_[i] < job_.options.threshold) return true;  // b
-    const HoughCandidate none{job_.options.threshold - 1, -1};
-    const HoughCandidate candidate = kernels_.find(cells_, rows_, batch_, i, none);  // c
+    const std::int32_t threshold = job_.options.threshold;
+    const HoughCandidate seen{ahead_.seen.votes[i], ahead_.seen.angles[i]};
+    if (seen.votes < threshold) return true;  // b
+    const HoughCandidate candidate = kernels_.find(cells_, rows_, ahead_.voting, i, seen, threshold);  // c
     if (candidate.angle < 0) return true;
-    const bool going_on = follow_line(job_, pixel, candidate, [this](PixelPlace taken) { off_.add(taken); });
-    off_.finish();
+    const bool going_on = follow_line(job_, pixel, candidate, [this](PixelPlace taken) { leave(taken); });
+    take_off();
     return going_on;
   }
 
-  void take_off(std::int32_t i) noexcept {
-    off_.add(places_[i]);
-    off_.finish();
+  void leave(PixelPlace pixel) noexcept {
+    ahead_.left_behind[leaving_++] = pixel;
+    if (leaving_ == room) take_off();
+  }
+
+  void take_off() noexcept {
+    // Neighbours on a line share cells at many angles, and who decrements a cell waits for the one before:
+    // so neighbours are kept apart.
+    constexpr std::int32_t apart = 8;
+    ahead_.leaving.count = 0;
+    for (std::int32_t first = 0; first < apart; ++first)
+      for (std::int32_t i = first; i < leaving_; i += apart) add(ahead_.leaving, ahead_.left_behind[i]);
+    if (leaving_ > 0) kernels_.take_off(cells_, rows_, ahead_.leaving);
+    leaving_ = 0;
   }
 
   HoughJob& job_;
+  HoughAhead& ahead_;
   Cell* cells_;
   const HoughCellKernels<Cell>& kernels_;
   HoughRows rows_;
   DrawingAhead drawing_;
-  TakingOff<Cell> off_;
-  HoughBatch batch_;
-  PixelPlace places_[room];
-  std::uint32_t draws_[room];  ///< how many were drawn when this one was
-  Cell most_[room];
+  std::int32_t leaving_ = 0;
 };
 
 template <class Cell>
 bool run(HoughJob& job, std::span<Cell> cells, const HoughCellKernels<Cell>& kernels) noexcept {
-  return Ahead<Cell>(job, cells.data(), kernels).run();
+  return VotingAhead<Cell>(job, cells.data(), kernels).run();
 }
 
 }  // namespace
 
 bool may_vote_ahead(const HoughJob& job) noexcept {
   if (job.options.kernels == nullptr || job.trace.event != nullptr || job.windowed()) return false;
+  if (job.grid.angles > UINT16_MAX) return false;
   // Following OpenCV, a cell's bound is the number of pixels that can vote for it; else it is the threshold.
   if (job.options.generator == HoughGenerator::opencv) return !job.memory.cells16.empty();
   const std::int32_t most = !job.memory.cells8.empty() ? UINT8_MAX : INT16_MAX;
