@@ -58,12 +58,27 @@ struct HoughCellKernels {
                          HoughCandidate seen, std::int32_t threshold) noexcept;
 };
 
+/// How the angle at which a pixel's gradient window begins follows from its gradient.
+struct HoughWindowRule {
+  double half_window = 0;    ///< radians
+  double theta_step = 1;     ///< radians
+  std::int32_t half_turn = 1;  ///< angles in pi, below 65535
+};
+
+/// Stands for the whole circle, where the gradient is null.
+inline constexpr std::uint16_t hough_no_direction = 65535;
+
 struct HoughKernels {
   HoughCellKernels<std::uint8_t> bytes;
   HoughCellKernels<std::int16_t> words;
 
   /// The columns of the edge pixels of a row, ascending, and how many. `columns` has room for width + 8.
   std::int32_t (*edge_columns)(const std::uint8_t* row, std::int32_t width, std::uint16_t* columns) noexcept;
+
+  /// For each of the columns listed: the first angle of the window round the gradient (dx, dy) of that pixel,
+  /// in [0, half_turn), or `hough_no_direction`, written to the same column of `first`.
+  void (*first_angles)(const std::int16_t* dx, const std::int16_t* dy, const std::uint16_t* columns,
+                       std::int32_t count, const HoughWindowRule& rule, std::uint16_t* first) noexcept;
 };
 
 /// Portable loops; what every other table is compared with.

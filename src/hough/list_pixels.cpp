@@ -30,9 +30,13 @@ void for_each_edge(GrayView edges, const Take& take) noexcept {
   }
 }
 
-/// The same, a piece of a row at a time.
+/// The same, a piece of a row at a time; notes where the gradient windows begin.
 template <class Take>
-void for_each_edge(GrayView edges, const HoughKernels& kernels, const Take& take) noexcept {
+void for_each_edge(const HoughJob& job, const HoughKernels& kernels, const Take& take) noexcept {
+  const GrayView edges = job.edges;
+  const std::span<std::uint16_t> firsts = job.memory.firsts;
+  const HoughWindowRule rule{job.options.gradient_window, static_cast<double>(job.grid.theta_step),
+                             job.grid.half_turn};
   constexpr std::int32_t piece = 512;
   std::uint16_t columns[piece + 8];
   for (std::int32_t y = 0; y < edges.height; ++y) {
@@ -40,6 +44,10 @@ void for_each_edge(GrayView edges, const HoughKernels& kernels, const Take& take
       const std::int32_t width = edges.width - first < piece ? edges.width - first : piece;
       const std::int32_t count = kernels.edge_columns(edges.row(y) + first, width, columns);
       for (std::int32_t i = 0; i < count; ++i) take(first + columns[i], y);
+      if (firsts.empty()) continue;
+      const auto place = static_cast<std::size_t>(y) * static_cast<std::size_t>(edges.width);
+      kernels.first_angles(job.gradients.dx.row(y) + first, job.gradients.dy.row(y) + first, columns, count,
+                           rule, &firsts[place + static_cast<std::size_t>(first)]);
     }
   }
 }
@@ -59,7 +67,7 @@ std::uint32_t list_pixels(HoughJob& job) noexcept {
   if (job.options.kernels == nullptr) {
     for_each_edge(job.edges, list);
   } else {
-    for_each_edge(job.edges, *job.options.kernels, list);
+    for_each_edge(job, *job.options.kernels, list);
   }
   return count;
 }

@@ -16,15 +16,31 @@ namespace {
 
 using hough::AngleWindow;
 
-HoughCandidate vote_in_window(HoughJob& job, PixelPlace pixel) noexcept {
-  const AngleWindow window = hough::angle_window(job, pixel.x, pixel.y);
+/// The angles that pixels vote for, from the gradients or as they were noted when the pixels were listed.
+class Windows {
+ public:
+  explicit Windows(const HoughJob& job) noexcept : job_(job), count_(hough::window_angles(job)) {}
+
+  AngleWindow of(PixelPlace pixel) const noexcept {
+    if (job_.memory.firsts.empty()) return hough::angle_window(job_, pixel.x, pixel.y);
+    const auto width = static_cast<std::size_t>(job_.edges.width);
+    const std::uint16_t first = job_.memory.firsts[pixel.y * width + pixel.x];
+    if (first == hough_no_direction || count_ >= job_.grid.half_turn) return {0, job_.grid.angles, 0};
+    return hough::window_from(job_, first, count_);
+  }
+
+ private:
+  const HoughJob& job_;
+  std::int32_t count_;
+};
+
+HoughCandidate vote_in_window(HoughJob& job, PixelPlace pixel, const AngleWindow& window) noexcept {
   const HoughCandidate none{job.options.threshold - 1, -1};
   const HoughCandidate best = hough::cast_votes(job.memory, pixel, {window.first, window.end}, none);
   return hough::cast_votes(job.memory, pixel, {0, window.wrapped}, best);
 }
 
-void take_off_in_window(HoughJob& job, PixelPlace pixel) noexcept {
-  const AngleWindow window = hough::angle_window(job, pixel.x, pixel.y);
+void take_off_in_window(HoughJob& job, PixelPlace pixel, const AngleWindow& window) noexcept {
   hough::take_votes_off(job.memory, pixel, {window.first, window.end});
   hough::take_votes_off(job.memory, pixel, {0, window.wrapped});
 }
@@ -32,6 +48,7 @@ void take_off_in_window(HoughJob& job, PixelPlace pixel) noexcept {
 /// Steps 2 to 6, one pixel after the other.
 bool vote_one_by_one(HoughJob& job) noexcept {
   const PixelStates all = hough::states(job);
+  const Windows windows(job);
   hough::Drawing drawing(job);
   while (drawing.left() > 0) {
     // Step 2.
@@ -39,12 +56,12 @@ bool vote_one_by_one(HoughJob& job) noexcept {
     ++job.result.draws;
     if (all.at(pixel.x, pixel.y) == PixelState::gone) continue;
     // Step 3.
-    const HoughCandidate candidate = vote_in_window(job, pixel);
+    const HoughCandidate candidate = vote_in_window(job, pixel, windows.of(pixel));
     all.set(pixel.x, pixel.y, PixelState::voted);
     if (!job.tell({.step = HoughStep::vote, .x0 = pixel.x, .y0 = pixel.y, .votes = candidate.votes}))
       return false;
     if (candidate.angle < 0) continue;
-    const auto take_off = [&job](PixelPlace taken) { take_off_in_window(job, taken); };
+    const auto take_off = [&](PixelPlace taken) { take_off_in_window(job, taken, windows.of(taken)); };
     if (!hough::follow_line(job, pixel, candidate, take_off)) return false;
   }
   return true;

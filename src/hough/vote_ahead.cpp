@@ -22,39 +22,6 @@ void add(HoughBatch& batch, PixelPlace pixel) noexcept {
   ++batch.count;
 }
 
-/// Draws some pixels before they are asked for, so that their states are in the cache by then.
-class DrawingAhead {
- public:
-  explicit DrawingAhead(HoughJob& job) noexcept
-      : job_(job), drawing_(job), drawn_(job.memory.ahead.front().drawn) {}
-
-  bool any() const noexcept { return next_ < count_ || drawing_.left() > 0; }
-  std::uint32_t draws() const noexcept {
-    return job_.result.edge_pixels - drawing_.left() - static_cast<std::uint32_t>(count_ - next_);
-  }
-
-  PixelPlace next() noexcept {
-    if (next_ == count_) refill();
-    return drawn_[next_++];
-  }
-
- private:
-  void refill() noexcept {
-    const PixelStates all = states(job_);
-    next_ = 0;
-    for (count_ = 0; count_ < room && drawing_.left() > 0; ++count_) {
-      drawn_[count_] = drawing_.next();
-      all.expect(drawn_[count_].x, drawn_[count_].y);
-    }
-  }
-
-  const HoughJob& job_;
-  Drawing drawing_;
-  PixelPlace* drawn_;
-  std::int32_t next_ = 0;
-  std::int32_t count_ = 0;
-};
-
 template <class Cell>
 class VotingAhead {
  public:
@@ -70,7 +37,7 @@ class VotingAhead {
   }
 
   bool run() noexcept {
-    while (drawing_.any()) {
+    while (drawing_.left() > 0) {
       draw();
       kernels_.cast(cells_, rows_, ahead_.voting, ahead_.seen);  // a
       for (std::int32_t i = 0; i < ahead_.voting.count; ++i) {
@@ -91,11 +58,11 @@ class VotingAhead {
     const PixelStates all = states(job_);
     HoughBatch& batch = ahead_.voting;
     batch.count = 0;
-    while (drawing_.any() && batch.count < room) {
+    while (drawing_.left() > 0 && batch.count < room) {
       const PixelPlace pixel = drawing_.next();
       if (all.at(pixel.x, pixel.y) == PixelState::gone) continue;
       ahead_.places[batch.count] = pixel;
-      ahead_.draws[batch.count] = drawing_.draws();
+      ahead_.draws[batch.count] = job_.result.edge_pixels - drawing_.left();
       add(batch, pixel);
     }
   }
@@ -141,7 +108,7 @@ class VotingAhead {
   Cell* cells_;
   const HoughCellKernels<Cell>& kernels_;
   HoughRows rows_;
-  DrawingAhead drawing_;
+  Drawing drawing_;
   std::int32_t leaving_ = 0;
 };
 
