@@ -50,18 +50,24 @@ ImageView<const T> all_rows(const detail::RowRing<T>& ring, Size size) {
 Status EdgePlanes::detect(GrayView gray, const CannyOptions& options, const KernelSet& kernels) {
   const Status valid = Canny::check(gray.size(), options);
   if (valid != Status::ok) return valid;
-  pixels = Image<std::uint8_t>(gray.size());
+  if (pixels.size() != gray.size()) pixels = Image<std::uint8_t>(gray.size());
   const CannyRowOptions rows{.kernels = kernels.canny_rows};
   const bool may = detail::CannyRowRecipe::check(gray.size(), options, rows) == Status::ok;
   return may ? by_rows(gray, options, *kernels.canny_rows) : by_stages(gray, options);
+}
+
+void EdgePlanes::reserve(std::size_t bytes) {
+  if (bytes <= bytes_) return;
+  memory_ = std::make_unique_for_overwrite<std::byte[]>(bytes);
+  bytes_ = bytes;
 }
 
 Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const CannyRowKernels& kernels) {
   const Size size = gray.size();
   Arena measure = Arena::measure();
   RowMemory::take(measure, size, options);
-  memory_ = std::make_unique_for_overwrite<std::byte[]>(measure.used());
-  Arena arena({memory_.get(), measure.used()});
+  reserve(measure.used());
+  Arena arena({memory_.get(), bytes_});
   const RowMemory memory = RowMemory::take(arena, size, options);
   const Status made = make_gaussian_kernel(options.sigma, memory.rows.taps);
   if (made != Status::ok) return made;
@@ -91,9 +97,9 @@ Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const Can
 
 Status EdgePlanes::by_stages(GrayView gray, const CannyOptions& options) {
   const std::size_t bytes = Canny::workspace_bytes(gray.size(), options);
-  memory_ = std::make_unique_for_overwrite<std::byte[]>(bytes);
+  reserve(bytes);
   Canny canny;
-  const Status prepared = Canny::prepare(canny, gray.size(), options, {memory_.get(), bytes});
+  const Status prepared = Canny::prepare(canny, gray.size(), options, {memory_.get(), bytes_});
   if (prepared != Status::ok) return prepared;
   result = canny.run(gray, pixels.view());
   blurred = canny.blurred();

@@ -29,10 +29,12 @@ class EdgePlanes {
   Image<std::int32_t> magnitude(GradientNorm norm) const;
 
  private:
+  void reserve(std::size_t bytes);
   Status by_rows(GrayView gray, const CannyOptions& options, const CannyRowKernels& kernels);
   Status by_stages(GrayView gray, const CannyOptions& options);
 
   std::unique_ptr<std::byte[]> memory_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace straightedge
