@@ -9,6 +9,7 @@
 #include "straightedge/arena.hpp"
 #include "straightedge/hough_cells.hpp"
 #include "straightedge/hough_grid.hpp"
+#include "straightedge/hough_kernels.hpp"
 #include "straightedge/hough_options.hpp"
 #include "straightedge/image.hpp"
 #include "straightedge/pixel_states.hpp"
@@ -19,6 +20,16 @@ namespace straightedge {
 struct PixelPlace {
   std::uint16_t x = 0;
   std::uint16_t y = 0;
+};
+
+/// What the progressive method needs to let pixels vote ahead.
+struct HoughAhead {
+  HoughBatch voting;
+  HoughSeen seen;
+  PixelPlace places[hough_batch_room];   ///< of the pixels that vote
+  std::uint32_t draws[hough_batch_room];  ///< how many had been drawn with each of them
+  HoughBatch leaving;                     ///< pixels whose votes come off
+  PixelPlace left_behind[hough_batch_room];
 };
 
 /// Side of the squares in which the randomized method keeps its pixels: at least the radius, so that
@@ -43,6 +54,9 @@ struct HoughMemory {
   std::span<std::uint32_t> offsets;  ///< progressive: of each angle's row in the accumulator
   std::span<std::uint8_t> mask;      ///< a pixel's state, rows without gaps; progressive: two bits each
   std::span<PixelPlace> points;      ///< standard: of one band of rows; else all edge pixels
+  std::span<std::uint16_t> firsts;   ///< progressive, where there are kernels and a gradient window: where
+                                     ///< each edge pixel's begins; one a pixel, rows without gaps
+  std::span<HoughAhead> ahead;       ///< progressive: one, where there are kernels
   std::span<std::uint32_t> buckets;  ///< randomized: where each square's pixels begin in `points`
 
   static constexpr HoughMemory take(Arena& arena, Size size, const HoughOptions& options,
@@ -61,6 +75,10 @@ struct HoughMemory {
     if (progressive) {
       memory.take_cells(arena, hough_row_cells(size, grid), hough_cell_bytes(size, options));
       memory.offsets = arena.take<std::uint32_t>(angles);
+      const bool windowed = options.gradient_window > 0;
+      if (options.kernels != nullptr && !windowed) memory.ahead = arena.take<HoughAhead>(1);
+      if (options.kernels != nullptr && windowed && grid.half_turn < hough_no_direction)
+        memory.firsts = arena.take<std::uint16_t>(width * height);
     }
     if (!randomized) {
       memory.cosines = arena.take<float>(angles);

@@ -10,6 +10,8 @@
 
 namespace straightedge {
 
+struct HoughKernels;
+
 enum class HoughMethod : std::uint8_t {
   standard,     ///< every edge pixel votes for every angle
   progressive,  ///< random pixels vote until a line stands out; its pixels leave
@@ -48,6 +50,10 @@ struct HoughOptions {
   double confidence = 0.99;         ///< (0, 1), that a line of min_length is not left behind
   std::uint64_t max_draws = 0;      ///< pairs; drawing ends here at the latest; 0 = 8 for each edge
                                     ///< pixel, but at least a million
+
+  /// Progressive: how pixels vote ahead (hough_progressive.hpp). Null: one after the other. No result depends
+  /// on it.
+  const HoughKernels* kernels = nullptr;
 };
 
 /// A line x cos theta + y sin theta = rho in OpenCV's frame: origin at the centre of the first pixel,

@@ -25,6 +25,8 @@ class PixelStates {
   PixelState at(std::int32_t x, std::int32_t y) const noexcept {
     return static_cast<PixelState>((bytes_[byte(x, y)] >> shift(x)) & 3U);
   }
+  /// Fetches the pixel's state into the cache.
+  void expect(std::int32_t x, std::int32_t y) const noexcept { __builtin_prefetch(bytes_ + byte(x, y), 1); }
   void set(std::int32_t x, std::int32_t y, PixelState state) const noexcept {
     std::uint8_t& four = bytes_[byte(x, y)];
     const std::uint32_t others = four & ~(3U << shift(x));

@@ -11,13 +11,19 @@
 namespace straightedge {
 namespace {
 
-// Plain to fastest: a machine that has one of them has all before it.
+// Plain to fastest: a machine that has one of them has all before it. What a set has no table for is plain.
 constexpr KernelSet all_sets[] = {
-    {"plain", &plain_canny_row_kernels, &plain_ransac_kernels},
+    {.name = "plain"},
 #if defined(__x86_64__)
-    {"sse2", &sse2_canny_row_kernels, &plain_ransac_kernels},
-    {"avx2", &avx2_canny_row_kernels, &avx2_ransac_kernels},
-    {"avx512", &avx512_canny_row_kernels, &avx512_ransac_kernels},
+    {.name = "sse2", .canny_rows = &sse2_canny_row_kernels},
+    {.name = "avx2",
+     .canny_rows = &avx2_canny_row_kernels,
+     .ransac = &avx2_ransac_kernels,
+     .hough = &avx2_hough_kernels},
+    {.name = "avx512",
+     .canny_rows = &avx512_canny_row_kernels,
+     .ransac = &avx512_ransac_kernels,
+     .hough = &avx512_hough_kernels},
 #endif
 };
 

@@ -8,8 +8,8 @@ namespace straightedge::hough {
 namespace {
 
 template <class Cell>
-Candidate cast(Cell* cells, const HoughMemory& memory, PixelPlace pixel, Angles angles,
-               Candidate best) noexcept {
+HoughCandidate cast(Cell* cells, const HoughMemory& memory, PixelPlace pixel, Angles angles,
+                    HoughCandidate best) noexcept {
   const auto x = static_cast<float>(pixel.x);
   const auto y = static_cast<float>(pixel.y);
   for (std::int32_t n = angles.first; n < angles.end; ++n) {
@@ -43,7 +43,8 @@ void lay_out_rows(HoughJob& job) noexcept {
   }
 }
 
-Candidate cast_votes(const HoughMemory& memory, PixelPlace pixel, Angles angles, Candidate best) noexcept {
+HoughCandidate cast_votes(const HoughMemory& memory, PixelPlace pixel, Angles angles,
+                          HoughCandidate best) noexcept {
   return with_cells(memory, [&](auto* cells) noexcept { return cast(cells, memory, pixel, angles, best); });
 }
 

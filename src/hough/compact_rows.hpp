@@ -8,6 +8,7 @@
 
 #include "hough/angle_table.hpp"
 #include "straightedge/hough_job.hpp"
+#include "straightedge/hough_kernels.hpp"
 
 namespace straightedge::hough {
 
@@ -47,14 +48,10 @@ struct Angles {
   std::int32_t end = 0;
 };
 
-struct Candidate {
-  std::int32_t votes = 0;
-  std::int32_t angle = -1;  ///< negative: no angle has enough votes
-};
-
 /// One more vote in each of the cells of a pixel. Returns the first angle whose cell has most, if these are
 /// more than `best` has, else `best`.
-Candidate cast_votes(const HoughMemory& memory, PixelPlace pixel, Angles angles, Candidate best) noexcept;
+HoughCandidate cast_votes(const HoughMemory& memory, PixelPlace pixel, Angles angles,
+                          HoughCandidate best) noexcept;
 
 /// One vote less in each.
 void take_votes_off(const HoughMemory& memory, PixelPlace pixel, Angles angles) noexcept;

@@ -32,31 +32,44 @@ struct Corridor {
   }
 };
 
-/// Calls visit(x, y) for every pixel of the mask within the corridor's width at step `k` of its major
-/// axis (column k, or row k where the line is steep). False when the step is outside the image.
-template <class Visit>
-bool visit_step(GrayView mask, const Corridor& strip, std::int32_t k, const Visit& visit) noexcept {
-  const bool steep = strip.steep();
-  const std::int32_t steps = steep ? mask.height : mask.width;
-  if (k < 0 || k >= steps) return false;
-  const double major = steep ? strip.ny : strip.nx;
-  const double minor = steep ? strip.nx : strip.ny;
-  const double from = steep ? strip.py : strip.px;
-  const double at = steep ? strip.px : strip.py;
-  const double centre = at - (k - from) * major / minor;
-  const double reach = strip.half_width / (minor < 0 ? -minor : minor);
-  const std::int32_t last = (steep ? mask.width : mask.height) - 1;
-  if (centre + reach < 0 || centre - reach > last) return false;
-  auto lo = static_cast<std::int32_t>(centre - reach);
-  auto hi = static_cast<std::int32_t>(centre + reach) + 1;
-  if (lo < 0) lo = 0;
-  if (hi > last) hi = last;
-  for (std::int32_t m = lo; m <= hi; ++m) {
-    const std::int32_t x = steep ? m : k;
-    const std::int32_t y = steep ? k : m;
-    if (mask.at(x, y) != 0) visit(x, y);
+/// Visits the pixels of a mask within a corridor's width, step by step along its major axis: a column a step,
+/// or a row where the line is steep.
+class CorridorSteps {
+ public:
+  CorridorSteps(GrayView mask, const Corridor& strip) noexcept
+      : mask_(mask),
+        steep_(strip.steep()),
+        steps_(steep_ ? mask.height : mask.width),
+        last_((steep_ ? mask.width : mask.height) - 1),
+        major_(steep_ ? strip.ny : strip.nx),
+        minor_(steep_ ? strip.nx : strip.ny),
+        from_(steep_ ? strip.py : strip.px),
+        at_(steep_ ? strip.px : strip.py),
+        reach_(strip.half_width / (minor_ < 0 ? -minor_ : minor_)) {}
+
+  /// Calls visit(x, y) for the pixels of step k. False when the step is outside the image.
+  template <class Visit>
+  bool visit(std::int32_t k, const Visit& visit) const noexcept {
+    if (k < 0 || k >= steps_) return false;
+    const double centre = at_ - (k - from_) * major_ / minor_;
+    if (centre + reach_ < 0 || centre - reach_ > last_) return false;
+    auto lo = static_cast<std::int32_t>(centre - reach_);
+    auto hi = static_cast<std::int32_t>(centre + reach_) + 1;
+    if (lo < 0) lo = 0;
+    if (hi > last_) hi = last_;
+    const std::ptrdiff_t stride = steep_ ? 1 : mask_.stride;
+    const std::uint8_t* pixel = steep_ ? mask_.row(k) + lo : mask_.row(lo) + k;
+    for (std::int32_t m = lo; m <= hi; ++m, pixel += stride)
+      if (*pixel != 0) visit(steep_ ? m : k, steep_ ? k : m);
+    return true;
   }
-  return true;
-}
+
+ private:
+  GrayView mask_;
+  bool steep_;
+  std::int32_t steps_;
+  std::int32_t last_;
+  double major_, minor_, from_, at_, reach_;
+};
 
 }  // namespace straightedge

@@ -17,6 +17,24 @@ struct AngleWindow {
   std::int32_t wrapped = 0;
 };
 
+/// Angles in a window of `half_window` to each side.
+inline std::int32_t window_angles(const HoughJob& job) noexcept {
+  const auto step = static_cast<double>(job.grid.theta_step);
+  return static_cast<std::int32_t>(detail::round_even(2 * job.options.gradient_window / step)) + 1;
+}
+
+/// The window that begins at angle `first`, in [0, half_turn).
+inline AngleWindow window_from(const HoughJob& job, std::int32_t first, std::int32_t count) noexcept {
+  const std::int32_t period = job.grid.half_turn;
+  const std::int32_t last = first + count;
+  const std::int32_t angles = job.grid.angles;
+  AngleWindow window{first, last < period ? last : period, last < period ? 0 : last - period};
+  if (window.first > angles) window.first = angles;
+  if (window.end > angles) window.end = angles;
+  if (window.wrapped > angles) window.wrapped = angles;
+  return window;
+}
+
 /// The angles that pixel (x, y) votes for. Depends on the options and the pixel alone, so that votes
 /// can be taken off as they were cast. Where theta_step does not divide pi, the window's seam at
 /// pi is off by half a step at most.
@@ -28,20 +46,13 @@ inline AngleWindow angle_window(const HoughJob& job, std::int32_t x, std::int32_
   if (dx == 0 && dy == 0) return everything;
   const auto step = static_cast<double>(job.grid.theta_step);
   const std::int32_t period = job.grid.half_turn;
-  const auto count =
-      static_cast<std::int32_t>(detail::round_even(2 * job.options.gradient_window / step)) + 1;
+  const std::int32_t count = window_angles(job);
   if (count >= period) return everything;
   const double minimum = job.options.method == HoughMethod::standard ? job.options.min_theta : 0;
   const double direction = arc_tangent(dy, dx) - job.options.gradient_window - minimum;
   auto first = static_cast<std::int32_t>(detail::round_even(direction / step)) % period;
   if (first < 0) first += period;
-  const std::int32_t last = first + count;
-  const std::int32_t angles = job.grid.angles;
-  AngleWindow window{first, last < period ? last : period, last < period ? 0 : last - period};
-  if (window.first > angles) window.first = angles;
-  if (window.end > angles) window.end = angles;
-  if (window.wrapped > angles) window.wrapped = angles;
-  return window;
+  return window_from(job, first, count);
 }
 
 /// Whether the gradient at a pixel fits a line's normal.

@@ -30,8 +30,9 @@ Extent steps_of(const Corridor& strip, const HoughSegment& rough) noexcept {
 /// Step 1.
 bool find_light_side(GrayView mask, const GradientField& field, Extent steps, Corridor& strip) noexcept {
   double sum = 0;
+  const CorridorSteps corridor(mask, strip);
   for (std::int32_t k = steps.first; k <= steps.last; ++k) {
-    visit_step(mask, strip, k, [&](std::int32_t x, std::int32_t y) noexcept {
+    corridor.visit(k, [&](std::int32_t x, std::int32_t y) noexcept {
       const double toward = field.x.at(x, y) * strip.nx + field.y.at(x, y) * strip.ny;
       sum += toward > 0 ? 1 : toward < 0 ? -1 : 0;
     });
@@ -57,10 +58,11 @@ void collect(GrayView mask, const GradientField& field, const Corridor& strip, c
   wide.half_width += position_reach;
   const double step_length =
       1 / (strip.steep() ? (strip.nx < 0 ? -strip.nx : strip.nx) : (strip.ny < 0 ? -strip.ny : strip.ny));
+  const CorridorSteps corridor(mask, wide);
   double hole = 0;
   for (std::int32_t k = start; hole <= options.max_gap; k += direction) {
     hole += step_length;
-    const bool inside = visit_step(mask, wide, k, [&](std::int32_t x, std::int32_t y) noexcept {
+    const bool inside = corridor.visit(k, [&](std::int32_t x, std::int32_t y) noexcept {
       if (!strip.faces_light(field, x, y)) return;
       const EdgePosition edge = edge_position(field, x, y);
       const double off = strip.across(edge.x, edge.y);
@@ -204,8 +206,9 @@ std::uint32_t claim_pixels(ImageView<std::uint8_t> mask, const GradientField& fi
   const auto first = static_cast<std::int32_t>((a < b ? a : b) - corridor) - 1;
   const auto last = static_cast<std::int32_t>((a < b ? b : a) + corridor) + 1;
   std::uint32_t claimed = 0;
+  const CorridorSteps steps(mask, strip);
   for (std::int32_t k = first; k <= last; ++k) {
-    visit_step(mask, strip, k, [&](std::int32_t x, std::int32_t y) noexcept {
+    steps.visit(k, [&](std::int32_t x, std::int32_t y) noexcept {
       const double s = strip.along(x, y);
       const double off = strip.across(x, y);
       if (s < from || s > to || off > corridor || off < -corridor || !strip.faces_light(field, x, y)) return;

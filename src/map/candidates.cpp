@@ -32,9 +32,10 @@ Image<std::uint8_t> copy_of(GrayView image) {
 }  // namespace
 
 Status find_edges(GrayView edges, const GradientField& field, const LineMapOptions& options,
-                  std::vector<WallLine>& lines, LineMapReport& report) {
+                  const KernelSet& kernels, std::vector<WallLine>& lines, LineMapReport& report) {
   Image<std::uint8_t> mask = copy_of(edges);
   HoughOptions hough = first_round(options);
+  hough.kernels = kernels.hough;
   RefitOptions refit;
   refit.max_gap = std::min(options.max_gap, 8.0);
   for (int round = 0; round < max_rounds; ++round) {

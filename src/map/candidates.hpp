@@ -14,6 +14,6 @@ namespace straightedge {
 /// left, with lower demands after the first. Every segment is refit between the pixels and takes its own.
 /// The report gets the counts. Statuses are those of HoughLines.
 Status find_edges(GrayView edges, const GradientField& field, const LineMapOptions& options,
-                  std::vector<WallLine>& lines, LineMapReport& report);
+                  const KernelSet& kernels, std::vector<WallLine>& lines, LineMapReport& report);
 
 }  // namespace straightedge

@@ -27,7 +27,8 @@ void walk_cells(const WallLine& line, const Visit& visit) {
 
 }  // namespace
 
-LineGrid::LineGrid(const std::vector<WallLine>& lines, double reach) : reach_(reach) {
+LineGrid::LineGrid(const std::vector<WallLine>& lines, double reach)
+    : reach_(reach), lines_(lines.size()) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     walk_cells(lines[i], [&](std::int64_t column, std::int64_t row) {
       std::vector<std::size_t>& here = cells_[key_of(column, row)];
@@ -40,16 +41,20 @@ std::vector<std::size_t> LineGrid::near(const WallLine& line) const {
   // A line is sampled every half cell, so it may touch a cell that was not noted: one ring more.
   const auto ring = static_cast<std::int64_t>(std::ceil(reach_ / cell)) + 1;
   std::vector<std::size_t> found;
+  std::vector<char> listed(lines_);
   walk_cells(line, [&](std::int64_t column, std::int64_t row) {
     for (std::int64_t dc = -ring; dc <= ring; ++dc) {
       for (std::int64_t dr = -ring; dr <= ring; ++dr) {
         const auto at = cells_.find(key_of(column + dc, row + dr));
-        if (at != cells_.end()) found.insert(found.end(), at->second.begin(), at->second.end());
+        if (at == cells_.end()) continue;
+        for (const std::size_t i : at->second) {
+          if (listed[i] == 0) found.push_back(i);
+          listed[i] = 1;
+        }
       }
     }
   });
   std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 

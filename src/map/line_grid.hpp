@@ -24,6 +24,7 @@ class LineGrid {
 
  private:
   double reach_;
+  std::size_t lines_;
   std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
 };
 

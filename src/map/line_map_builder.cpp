@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
+#include <cstring>
 #include <utility>
 #include <vector>
 
 #include "map/bridge.hpp"
 #include "map/candidates.hpp"
 #include "map/corners.hpp"
+#include "map/edge_planes.hpp"
 #include "map/export.hpp"
 #include "map/extent.hpp"
 #include "map/furniture.hpp"
@@ -39,35 +40,29 @@ Failure failure_of(const char* stage, Status status) {
   return {option ? Problem::bad_option : Problem::internal, std::string(stage) + ": " + to_string(status)};
 }
 
-/// Canny with the memory it works in.
 struct Edges {
-  std::unique_ptr<std::byte[]> workspace;
-  Canny canny;
-  Image<std::uint8_t> pixels;
+  EdgePlanes planes;
   Image<std::int32_t> sharpness;  ///< magnitude of the picture as given
 
   /// Directions from the stretched picture, positions from the one as given: stretching cuts off the light
   /// end of each edge and would move it towards the dark.
-  GradientField field() const { return {canny.gradient_x(), canny.gradient_y(), sharpness}; }
+  GradientField field() const { return {planes.dx, planes.dy, sharpness}; }
 };
 
-Status detect_edges(const Picture& picture, const CannyOptions& options, Edges& edges, CannyResult& result) {
-  const Size size = picture.gray.size();
-  const Status valid = Canny::check(size, options);
-  if (valid != Status::ok) return valid;
-  const std::size_t bytes = Canny::workspace_bytes(size, options);
-  edges.workspace = std::make_unique_for_overwrite<std::byte[]>(bytes);
-  const Status prepared = Canny::prepare(edges.canny, size, options, {edges.workspace.get(), bytes});
-  if (prepared != Status::ok) return prepared;
-  edges.pixels = Image<std::uint8_t>(size);
-  result = edges.canny.run(picture.gray, edges.pixels.view());
-  if (result.status != Status::ok) return result.status;
-  edges.sharpness = Image<std::int32_t>(size);
-  for (std::int32_t y = 0; y < size.height; ++y) {
-    std::copy_n(edges.canny.magnitude().row(y), size.width, edges.sharpness.view().row(y));
-  }
-  if (picture.kind == PictureKind::map) result = edges.canny.run(picture.stretched, edges.pixels.view());
-  return result.status;
+bool same_pixels(GrayView a, GrayView b) {
+  const auto width = static_cast<std::size_t>(a.width);
+  for (std::int32_t y = 0; y < a.height; ++y)
+    if (std::memcmp(a.row(y), b.row(y), width) != 0) return false;
+  return true;
+}
+
+Status detect_edges(const Picture& picture, const CannyOptions& options, const KernelSet& kernels,
+                    Edges& edges) {
+  const Status status = edges.planes.detect(picture.gray, options, kernels);
+  if (status != Status::ok) return status;
+  edges.sharpness = edges.planes.magnitude(options.norm);
+  if (picture.kind != PictureKind::map || same_pixels(picture.gray, picture.stretched)) return Status::ok;
+  return edges.planes.detect(picture.stretched, options, kernels);
 }
 
 /// Steps 4 to 6: what only a map can tell, for only there dark means wall.
@@ -102,7 +97,8 @@ std::vector<std::vector<std::size_t>> long_enough(const std::vector<WallLine>& l
 
 }  // namespace
 
-Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options) {
+Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options,
+                                     const KernelSet& kernels) {
   if (!gray.valid()) return Failure{Problem::bad_content, "the picture has no pixels"};
   if (!valid(options) || (options.meaning && !valid(*options.meaning)))
     return failure_of("the line map's options", Status::invalid_option);
@@ -113,14 +109,15 @@ Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& option
   report.picture = picture.kind;
   // Step 2: edges.
   Edges edges;
-  Status status = detect_edges(picture, options.canny, edges, report.canny);
+  Status status = detect_edges(picture, options.canny, kernels, edges);
   if (status != Status::ok) return failure_of("the edge detector", status);
+  report.canny = edges.planes.result;
   // Step 3: straight edges, each with pixels of its own.
   std::vector<WallLine> lines;
-  status = find_edges(edges.pixels, edges.field(), options, lines, report);
+  status = find_edges(edges.planes.pixels, edges.field(), options, kernels, lines, report);
   if (status != Status::ok) return failure_of("the Hough transform", status);
   // Steps 4 to 6: thin walls become axes, ends are measured, what is no wall goes.
-  if (picture.kind == PictureKind::map) read_walls(picture, edges.canny.blurred(), options, lines, report);
+  if (picture.kind == PictureKind::map) read_walls(picture, edges.planes.blurred, options, lines, report);
   // Step 7: one segment where several lie on one another; small things that stand alone go.
   const MergeOptions merge;
   report.merged = merge_fragments(lines, picture, merge);
@@ -131,7 +128,7 @@ Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& option
   }
   // Step 8: segments of one infinite line share its fit.
   const auto groups = group_collinear(lines, picture, merge);
-  const std::uint32_t bridged = picture.noisy ? bridge_pale_gaps(lines, groups, edges.canny.blurred()) : 0;
+  const std::uint32_t bridged = picture.noisy ? bridge_pale_gaps(lines, groups, edges.planes.blurred) : 0;
   report.merged += bridged;
   // Step 9: corners are closed; what is too short goes.
   if (picture.kind == PictureKind::map) close_corners(lines, helpers, corner_reach);

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "map/block_medians.hpp"
+
 namespace straightedge {
 namespace {
 
@@ -27,11 +29,18 @@ constexpr int lone_contrast = 80;
 constexpr double speckled_evenness = 0.4;
 
 Histogram histogram_of(GrayView gray) {
+  // Four tables in turns: equal neighbours need not wait for one another.
+  std::array<std::array<std::uint32_t, 256>, 4> tables{};
   Histogram histogram{};
   for (std::int32_t y = 0; y < gray.height; ++y) {
     const std::uint8_t* row = gray.row(y);
-    for (std::int32_t x = 0; x < gray.width; ++x) ++histogram[row[x]];
+    std::int32_t x = 0;
+    for (; x + 4 <= gray.width; x += 4)
+      for (std::size_t k = 0; k < 4; ++k) ++tables[k][row[x + static_cast<std::int32_t>(k)]];
+    for (; x < gray.width; ++x) ++histogram[row[x]];
   }
+  for (std::size_t v = 0; v < 256; ++v)
+    for (const auto& table : tables) histogram[v] += table[v];
   return histogram;
 }
 
@@ -41,16 +50,10 @@ Histogram block_histogram(GrayView gray) {
   Histogram histogram{};
   const std::int32_t side_x = std::min(block, gray.width), side_y = std::min(block, gray.height);
   const std::int32_t area = side_x * side_y;
-  std::array<std::uint8_t, block * block> values{};
+  std::vector<std::uint8_t> medians(static_cast<std::size_t>(gray.width / side_x));
   for (std::int32_t y = 0; y + side_y <= gray.height; y += side_y) {
-    for (std::int32_t x = 0; x + side_x <= gray.width; x += side_x) {
-      for (std::int32_t k = 0; k < area; ++k) {
-        values[static_cast<std::size_t>(k)] = gray.at(x + k % side_x, y + k / side_x);
-      }
-      const auto middle = values.begin() + area / 2;
-      std::nth_element(values.begin(), middle, values.begin() + area);
-      histogram[*middle] += area;
-    }
+    block_medians(gray, y, {side_x, side_y}, medians);
+    for (const std::uint8_t median : medians) histogram[median] += area;
   }
   return histogram;
 }
@@ -117,9 +120,10 @@ int darkest_level(const Histogram& histogram, std::int64_t pixels) {
 
 Image<std::uint8_t> through_table(GrayView gray, const std::array<std::uint8_t, 256>& table) {
   Image<std::uint8_t> out(gray.size());
-  const ImageView<std::uint8_t> view = out.view();
   for (std::int32_t y = 0; y < gray.height; ++y) {
-    for (std::int32_t x = 0; x < gray.width; ++x) view.at(x, y) = table[gray.at(x, y)];
+    const std::uint8_t* const from = gray.row(y);
+    std::uint8_t* const to = out.view().row(y);
+    for (std::int32_t x = 0; x < gray.width; ++x) to[x] = table[from[x]];
   }
   return out;
 }
@@ -146,13 +150,31 @@ bool is_grainy(GrayView gray) {
   std::int64_t pairs = 0, same = 0;
   for (std::int32_t y = 0; y < gray.height; ++y) {
     const std::uint8_t* row = gray.row(y);
+    std::int32_t row_pairs = 0, row_same = 0;
     for (std::int32_t x = 1; x < gray.width; ++x) {
-      if (row[x] == 0 || row[x] == 255) continue;
-      ++pairs;
-      same += row[x] == row[x - 1] ? 1 : 0;
+      const int between = (row[x] != 0 ? 1 : 0) & (row[x] != 255 ? 1 : 0);
+      row_pairs += between;
+      row_same += between & (row[x] == row[x - 1] ? 1 : 0);
     }
+    pairs += row_pairs;
+    same += row_same;
   }
   return same * 3 < pairs && pairs * 10 > std::int64_t{gray.width} * gray.height;
+}
+
+/// For pixels 1 to width - 2 of a row: 1 where all eight neighbours are lighter by more than the contrast.
+void find_lone(GrayView gray, std::int32_t y, std::vector<std::uint8_t>& lone) {
+  const std::uint8_t* const above = gray.row(y - 1);
+  const std::uint8_t* const here = gray.row(y);
+  const std::uint8_t* const below = gray.row(y + 1);
+  for (std::int32_t x = 1; x + 1 < gray.width; ++x) {
+    const auto darker = [](std::uint8_t a, std::uint8_t b) { return a < b ? a : b; };
+    const std::uint8_t top = darker(darker(above[x - 1], above[x]), above[x + 1]);
+    const std::uint8_t bottom = darker(darker(below[x - 1], below[x]), below[x + 1]);
+    const std::uint8_t beside = darker(here[x - 1], here[x + 1]);
+    const int darkest = darker(darker(top, bottom), beside);
+    lone[static_cast<std::size_t>(x)] = darkest > here[x] + lone_contrast ? 1 : 0;
+  }
 }
 
 /// Whether lone dark pixels lie all over the picture, as a scanner's or a radio's specks do; clutter in a
@@ -160,13 +182,12 @@ bool is_grainy(GrayView gray) {
 bool is_speckled(GrayView gray) {
   constexpr std::int32_t cells = 8;
   std::array<int, cells * cells> specks{};
+  std::vector<std::uint8_t> lone(static_cast<std::size_t>(gray.width));
   for (std::int32_t y = 1; y + 1 < gray.height; ++y) {
-    for (std::int32_t x = 1; x + 1 < gray.width; ++x) {
-      const int here = gray.at(x, y) + lone_contrast;
-      bool lone = true;
-      for (std::int32_t k = 0; k < 9 && lone; ++k)
-        lone = k == 4 || gray.at(x + k % 3 - 1, y + k / 3 - 1) > here;
-      if (!lone) continue;
+    find_lone(gray, y, lone);
+    for (auto at = std::find(lone.begin(), lone.end(), 1); at != lone.end();
+         at = std::find(at + 1, lone.end(), 1)) {
+      const auto x = static_cast<std::int32_t>(at - lone.begin());
       const std::int32_t cell = y * cells / gray.height * cells + x * cells / gray.width;
       ++specks[static_cast<std::size_t>(cell)];
     }

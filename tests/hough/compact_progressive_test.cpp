@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "../support/golden_hough.hpp"
 #include "plain_progressive.hpp"
+#include "straightedge/detail/x86_instructions.hpp"
+#include "straightedge/hough_kernels.hpp"
 
 using namespace straightedge;
 using test::EdgeImage;
@@ -40,12 +42,27 @@ void require_equal(const CompactRun& compact, const test::PlainProgressive& plai
   REQUIRE(same);
 }
 
+/// One pixel after the other, and many together with each table that this machine can run.
+std::vector<const HoughKernels*> kernels_here() {
+  std::vector<const HoughKernels*> tables{nullptr, &plain_hough_kernels};
+#if defined(__x86_64__)
+  if (detail::has_avx2()) tables.push_back(&avx2_hough_kernels);
+  if (detail::has_avx512()) tables.push_back(&avx512_hough_kernels);
+#endif
+  return tables;
+}
+
 /// With room for every pixel and with room for just as many as there are.
 void require_equal(GrayView edges, HoughOptions options, GradientView gradients = {}) {
   const test::PlainProgressive plain(edges, options, gradients);
-  require_equal(CompactRun(edges, options, gradients), plain);
-  options.max_edge_pixels = plain.edge_pixels;
-  require_equal(CompactRun(edges, options, gradients), plain);
+  const std::uint32_t asked = options.max_edge_pixels;
+  for (const HoughKernels* kernels : kernels_here()) {
+    options.kernels = kernels;
+    options.max_edge_pixels = asked;
+    require_equal(CompactRun(edges, options, gradients), plain);
+    options.max_edge_pixels = plain.edge_pixels;
+    require_equal(CompactRun(edges, options, gradients), plain);
+  }
 }
 
 HoughOptions short_lines(HoughGenerator generator) {
@@ -163,6 +180,56 @@ TEST_CASE("a cell never has more votes than its bytes were chosen for") {
       INFO(size.width << "x" << size.height << " rho_step " << rho_step);
       CHECK(most <= hough_most_votes(size, options));
       if (size.width == 50 && rho_step >= 0.7) CHECK(3 * most >= hough_most_votes(size, options));
+    }
+  }
+}
+
+TEST_CASE("pixels that vote ahead are nowhere to be seen when the output is full") {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    EdgeImage image = test::noise({80, 70}, 0.02 * static_cast<double>(1 + seed % 20), seed);
+    for (int i = 0; i < 9; ++i) test::draw(image, 2, 5 + 7 * i, 75, 60 - 6 * i);
+    HoughOptions options = short_lines(seed % 2 == 0 ? HoughGenerator::opencv : HoughGenerator::pcg32);
+    options.seed = seed;
+    INFO("seed " << seed);
+    std::vector<HoughSegment> segments(seed % 7);
+    std::vector<std::byte> memory(HoughLines::workspace_bytes(image.size(), options));
+    HoughLines one_by_one;
+    REQUIRE(HoughLines::prepare(one_by_one, image.size(), options, memory) == Status::ok);
+    const HoughResult expected = one_by_one.run(image, {}, {}, segments);
+    REQUIRE(expected.status == Status::output_full);
+    for (const HoughKernels* kernels : kernels_here()) {
+      options.kernels = kernels;
+      std::vector<HoughSegment> found(segments.size());
+      std::vector<std::byte> more(HoughLines::workspace_bytes(image.size(), options));
+      HoughLines ahead;
+      REQUIRE(HoughLines::prepare(ahead, image.size(), options, more) == Status::ok);
+      const HoughResult result = ahead.run(image, {}, {}, found);
+      CHECK(result.status == Status::output_full);
+      CHECK(result.draws == expected.draws);
+      CHECK(found == segments);
+      bool same = true;
+      for (std::int32_t n = 0; n < one_by_one.grid().angles; ++n)
+        for (std::int32_t r = 0; r < one_by_one.grid().distances; ++r)
+          same = same && ahead.accumulator().at(r, n) == one_by_one.accumulator().at(r, n);
+      CHECK(same);
+    }
+  }
+}
+
+TEST_CASE("every table of kernels lists the edge pixels of a row") {
+  for (const HoughKernels* kernels : kernels_here()) {
+    if (kernels == nullptr) continue;
+    for (std::int32_t width = 1; width <= 200; ++width) {
+      const EdgeImage image = test::noise({width, 3}, 0.01 * (width % 100), static_cast<std::uint64_t>(width));
+      for (std::int32_t y = 0; y < 3; ++y) {
+        std::vector<std::uint16_t> columns(static_cast<std::size_t>(width) + 8);
+        const std::int32_t count = kernels->edge_columns(image.view().row(y), width, columns.data());
+        std::vector<std::uint16_t> expected;
+        for (std::int32_t x = 0; x < width; ++x)
+          if (image.view().at(x, y) != 0) expected.push_back(static_cast<std::uint16_t>(x));
+        columns.resize(static_cast<std::size_t>(count));
+        REQUIRE(columns == expected);
+      }
     }
   }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "straightedge/hough_lines.hpp"
@@ -24,9 +25,11 @@ inline HoughFound hough_lines(GrayView edges, const HoughOptions& options = {}, 
   found.result.status = edges.valid() ? grid.status : Status::invalid_image;
   if (found.result.status != Status::ok) return found;
 
-  std::vector<std::byte> workspace(HoughLines::workspace_bytes(edges.size(), options));
+  // Room for as many edge pixels as there are pixels: most of it is never touched, so it is not cleared.
+  const std::size_t bytes = HoughLines::workspace_bytes(edges.size(), options);
+  const auto workspace = std::make_unique_for_overwrite<std::byte[]>(bytes);
   HoughLines lines;
-  found.result.status = HoughLines::prepare(lines, edges.size(), options, workspace);
+  found.result.status = HoughLines::prepare(lines, edges.size(), options, {workspace.get(), bytes});
   if (found.result.status != Status::ok) return found;
 
   const bool with_peaks = options.method != HoughMethod::progressive;

@@ -7,6 +7,7 @@
 
 #include "straightedge/canny_row_kernels.hpp"
 #include "straightedge/host/result.hpp"
+#include "straightedge/hough_kernels.hpp"
 #include "straightedge/ransac_kernels.hpp"
 
 /// Which of the core's tables of kernels this machine can run. All give the same bits; they differ in time.
@@ -15,8 +16,9 @@ namespace straightedge {
 /// The tables made for one instruction set.
 struct KernelSet {
   std::string_view name;  ///< "plain", "sse2", "avx2" or "avx512"
-  const CannyRowKernels* canny_rows = nullptr;
-  const RansacKernels* ransac = nullptr;
+  const CannyRowKernels* canny_rows = &plain_canny_row_kernels;
+  const RansacKernels* ransac = &plain_ransac_kernels;
+  const HoughKernels* hough = &plain_hough_kernels;
 };
 
 /// Those that the processor has the instructions for: plain first, the fastest last.

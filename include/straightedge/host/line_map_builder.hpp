@@ -7,6 +7,7 @@
 #include <string>
 
 #include "straightedge/canny.hpp"
+#include "straightedge/host/kernels.hpp"
 #include "straightedge/host/line_map.hpp"
 #include "straightedge/host/result.hpp"
 #include "straightedge/hough_lines.hpp"
@@ -81,7 +82,8 @@ struct LineMapResult {
 ///
 /// Failures: bad_content (no pixels), bad_option (out of range, or a picture too large for the Hough
 /// transform: sides up to 32767). Time proportional to the pixels plus the lines; memory about 25 bytes a
-/// pixel.
-Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options = {});
+/// pixel. Nothing depends on the kernels but the time.
+Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options = {},
+                                     const KernelSet& kernels = best_kernels());
 
 }  // namespace straightedge

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+/// The inner loops of the progressive Hough transform that votes ahead (hough_progressive.hpp): a table of
+/// functions for each instruction set. All tables give the same numbers. Which of them this machine can run,
+/// the application must know (host/kernels.hpp asks the processor).
+namespace straightedge {
+
+/// The rows of the accumulator, one for each angle, by `cell(n, x, y)`: x times the cosine plus y times the
+/// sine plus 1.5 * 2^23, all in float; the sum's bits plus the row's offset are the number of the cell.
+struct HoughRows {
+  const float* cosines = nullptr;
+  const float* sines = nullptr;
+  const std::uint32_t* offsets = nullptr;
+  std::int32_t angles = 0;
+};
+
+/// Pixels that vote together.
+inline constexpr std::size_t hough_batch_room = 128;
+
+/// Room for 64, of which `count` are used; the rest is anything finite.
+struct HoughBatch {
+  float x[hough_batch_room] = {};
+  float y[hough_batch_room] = {};
+  std::int32_t count = 0;
+};
+
+/// For each pixel of a batch the first of the angles at which its cell has the most votes.
+struct HoughSeen {
+  std::int16_t votes[hough_batch_room] = {};
+  std::uint16_t angles[hough_batch_room] = {};
+};
+
+/// A line that a pixel may lie on.
+struct HoughCandidate {
+  std::int32_t votes = 0;
+  std::int32_t angle = -1;  ///< negative: no angle has enough votes
+};
+
+/// For accumulators whose cells are of type Cell.
+template <class Cell>
+struct HoughCellKernels {
+  /// One more vote in the cells of all pixels of the batch, at every angle. What each has seen: its own vote
+  /// and those of the pixels before it count.
+  void (*cast)(Cell* cells, const HoughRows& rows, const HoughBatch& batch, HoughSeen& seen) noexcept;
+
+  /// One vote less.
+  void (*take_off)(Cell* cells, const HoughRows& rows, const HoughBatch& batch) noexcept;
+
+  /// What pixel `at` of the batch sees when it is its turn: the first angle with the most votes, at least
+  /// `threshold`. Those behind it have voted, too; their votes do not count. `seen` is what it saw when it
+  /// voted, and cells have only lost votes since.
+  HoughCandidate (*find)(const Cell* cells, const HoughRows& rows, const HoughBatch& batch, std::int32_t at,
+                         HoughCandidate seen, std::int32_t threshold) noexcept;
+};
+
+/// How the angle at which a pixel's gradient window begins follows from its gradient.
+struct HoughWindowRule {
+  double half_window = 0;    ///< radians
+  double theta_step = 1;     ///< radians
+  std::int32_t half_turn = 1;  ///< angles in pi, below 65535
+};
+
+/// Stands for the whole circle, where the gradient is null.
+inline constexpr std::uint16_t hough_no_direction = 65535;
+
+struct HoughKernels {
+  HoughCellKernels<std::uint8_t> bytes;
+  HoughCellKernels<std::int16_t> words;
+
+  /// The columns of the edge pixels of a row, ascending, and how many. `columns` has room for width + 8.
+  std::int32_t (*edge_columns)(const std::uint8_t* row, std::int32_t width, std::uint16_t* columns) noexcept;
+
+  /// For each of the columns listed: the first angle of the window round the gradient (dx, dy) of that pixel,
+  /// in [0, half_turn), or `hough_no_direction`, written to the same column of `first`.
+  void (*first_angles)(const std::int16_t* dx, const std::int16_t* dy, const std::uint16_t* columns,
+                       std::int32_t count, const HoughWindowRule& rule, std::uint16_t* first) noexcept;
+};
+
+/// Portable loops; what every other table is compared with.
+extern const HoughKernels plain_hough_kernels;
+
+#if defined(__x86_64__)
+extern const HoughKernels avx2_hough_kernels;    ///< needs AVX2 and POPCNT
+extern const HoughKernels avx512_hough_kernels;  ///< needs AVX-512 F, BW, DQ, VL and POPCNT
+#endif
+
+}  // namespace straightedge

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include <cstddef>
+#include <cstdint>
+
+#include "base/kernel_set.hpp"
+#include "straightedge/hough_kernels.hpp"
+
+namespace straightedge {
+namespace STRAIGHTEDGE_KERNEL_SET {
+namespace {
+
+constexpr float rounding = 12582912.0F;  // 1.5 * 2^23
+constexpr std::int32_t room = hough_batch_room;
+constexpr std::int32_t vector = 16;
+constexpr std::int32_t lanes = 8;  // of double
+constexpr std::int32_t block = 64;  // angles that are looked at together
+
+constexpr double arc_tangents_of_eighths[] = {0.0,
+                                              0.12435499454676144,
+                                              0.24497866312686414,
+                                              0.35877067027057225,
+                                              0.4636476090008061,
+                                              0.5585993153435624,
+                                              0.6435011087932844,
+                                              0.7188299996216245,
+                                              0.7853981633974483};
+
+/// Where the first `count` pixels of the batch, whole vectors of them, vote at one angle.
+inline void find_cells(const HoughRows& rows, std::int32_t n, const HoughBatch& batch, std::int32_t count,
+                       std::uint32_t* __restrict index) noexcept {
+  const float cosine = rows.cosines[n];
+  const float sine = rows.sines[n];
+  const std::uint32_t offset = rows.offsets[n];
+  for (std::int32_t i = 0; i < count; ++i) {
+    const float sum = batch.x[i] * cosine + batch.y[i] * sine + rounding;
+    index[i] = __builtin_bit_cast(std::uint32_t, sum) + offset;
+  }
+}
+
+/// What the pixels have seen up to angle n.
+inline void keep_most(const std::int16_t* __restrict votes, std::int32_t n, HoughSeen& seen) noexcept {
+  const auto angle = static_cast<std::uint16_t>(n);
+  for (std::int32_t i = 0; i < room; ++i) {
+    const bool more = votes[i] > seen.votes[i];
+    seen.votes[i] = more ? votes[i] : seen.votes[i];
+    seen.angles[i] = more ? angle : seen.angles[i];
+  }
+}
+
+template <class Cell>
+void cast(Cell* cells, const HoughRows& rows, const HoughBatch& batch, HoughSeen& seen) noexcept {
+  // The votes of one angle are compared while those of the next are cast: reading at once, in wide
+  // words, what was just written in narrow ones would have to wait.
+  std::uint32_t index[room];
+  std::int16_t votes[2][room] = {};
+  const std::int32_t count = batch.count;
+  for (std::int32_t i = 0; i < room; ++i) seen.votes[i] = 0;
+  for (std::int32_t n = 0; n < rows.angles; ++n) {
+    find_cells(rows, n, batch, room, index);
+    std::int16_t* const here = votes[n & 1];
+    for (std::int32_t i = 0; i < count; ++i) {
+      Cell& cell = cells[index[i]];
+      cell = static_cast<Cell>(cell + 1);
+      here[i] = static_cast<std::int16_t>(cell);
+    }
+    if (n > 0) keep_most(votes[(n & 1) ^ 1], n - 1, seen);
+  }
+  keep_most(votes[(rows.angles & 1) ^ 1], rows.angles - 1, seen);
+}
+
+template <class Cell>
+void take_off(Cell* cells, const HoughRows& rows, const HoughBatch& batch) noexcept {
+  std::uint32_t index[room];
+  const std::int32_t count = (batch.count + vector - 1) / vector * vector;
+  for (std::int32_t n = 0; n < rows.angles; ++n) {
+    find_cells(rows, n, batch, count, index);
+    for (std::int32_t i = 0; i < batch.count; ++i) {
+      Cell& cell = cells[index[i]];
+      cell = static_cast<Cell>(cell - 1);
+    }
+  }
+}
+
+/// How many of the pixels behind `at` vote for the same cell as it does.
+inline std::int32_t count_later(float cosine, float sine, const HoughBatch& batch, std::int32_t at) noexcept {
+  const float own = batch.x[at] * cosine + batch.y[at] * sine + rounding;
+  std::int32_t later = 0;
+  for (std::int32_t i = at + 1; i < batch.count; ++i)
+    later += batch.x[i] * cosine + batch.y[i] * sine + rounding == own ? 1 : 0;
+  return later;
+}
+
+/// The votes in the cell of pixel `at` at angle n, without those of the pixels behind it.
+template <class Cell>
+inline std::int32_t votes_in_turn(const Cell* cells, const HoughRows& rows, const HoughBatch& batch,
+                                  std::int32_t at, std::int32_t n) noexcept {
+  const float sum = batch.x[at] * rows.cosines[n] + batch.y[at] * rows.sines[n] + rounding;
+  return cells[__builtin_bit_cast(std::uint32_t, sum) + rows.offsets[n]] -
+         count_later(rows.cosines[n], rows.sines[n], batch, at);
+}
+
+template <class Cell>
+HoughCandidate find(const Cell* cells, const HoughRows& rows, const HoughBatch& batch, std::int32_t at,
+                    HoughCandidate seen, std::int32_t threshold) noexcept {
+  // Other cells had fewer votes, or not more and come later; and there are none that have got more.
+  if (votes_in_turn(cells, rows, batch, at, seen.angle) == seen.votes) return seen;
+  HoughCandidate best{threshold - 1, -1};
+  std::uint32_t index[block];
+  for (std::int32_t first = 0; first < rows.angles; first += block) {
+    const std::int32_t angles = rows.angles - first < block ? rows.angles - first : block;
+    for (std::int32_t k = 0; k < angles; ++k) {
+      const float sum =
+          batch.x[at] * rows.cosines[first + k] + batch.y[at] * rows.sines[first + k] + rounding;
+      index[k] = __builtin_bit_cast(std::uint32_t, sum) + rows.offsets[first + k];
+    }
+    for (std::int32_t k = 0; k < angles; ++k) {
+      if (cells[index[k]] <= best.votes) continue;
+      const std::int32_t votes = votes_in_turn(cells, rows, batch, at, first + k);
+      if (votes > best.votes) best = {votes, first + k};
+    }
+  }
+  return best;
+}
+
+std::int32_t edge_columns(const std::uint8_t* row, std::int32_t width, std::uint16_t* columns) noexcept {
+  constexpr std::int32_t wide = 64;
+  constexpr std::int32_t narrow = 8;
+  std::int32_t count = 0;
+  std::int32_t x = 0;
+  const auto list = [&](std::int32_t end) noexcept {
+    for (; x < end; ++x) {
+      columns[count] = static_cast<std::uint16_t>(x);
+      count += row[x] != 0 ? 1 : 0;
+    }
+  };
+  while (x + wide <= width) {
+    std::uint8_t any = 0;
+    for (std::int32_t k = 0; k < wide; ++k) any = static_cast<std::uint8_t>(any | row[x + k]);
+    const std::int32_t end = x + wide;
+    if (any == 0) x = end;
+    while (x < end) {
+      std::uint64_t eight = 0;
+      __builtin_memcpy(&eight, row + x, narrow);
+      if (eight == 0) {
+        x += narrow;
+      } else {
+        list(x + narrow);
+      }
+    }
+  }
+  list(width);
+  return count;
+}
+
+/// Gradients on their way to their directions, by the steps of arc_tangent (trigonometry.hpp). Both sides of
+/// each choice are computed: then the loops have no branches.
+struct Directions {
+  double dx[block];
+  double dy[block];
+  double ratio[block];
+  std::int32_t eighth[block];
+  double nearby[block];  ///< the arc tangent of the nearest eighth
+  std::int32_t first[block];
+};
+
+inline void find_ratios(Directions& d, std::int32_t count) noexcept {
+  for (std::int32_t i = 0; i < count; ++i) {
+    const double ax = d.dx[i] < 0 ? -d.dx[i] : d.dx[i];
+    const double ay = d.dy[i] < 0 ? -d.dy[i] : d.dy[i];
+    const double longer = ay > ax ? ay : ax;
+    const double shorter = ay > ax ? ax : ay;
+    d.ratio[i] = shorter / (longer > 0 ? longer : 1.0);
+    d.eighth[i] = static_cast<std::int32_t>(d.ratio[i] * 8 + 0.5);
+  }
+}
+
+/// The direction, and the window's first angle.
+inline void find_first(Directions& d, std::int32_t count, const HoughWindowRule& rule) noexcept {
+  constexpr double half_pi = 3.141592653589793 / 2;
+  constexpr double to_integer = 6755399441055744.0;  // 1.5 * 2^52
+  const double half_window = rule.half_window;
+  const double theta_step = rule.theta_step;
+  const std::int32_t half_turn = rule.half_turn;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const double ax = d.dx[i] < 0 ? -d.dx[i] : d.dx[i];
+    const double ay = d.dy[i] < 0 ? -d.dy[i] : d.dy[i];
+    const double c = d.eighth[i] / 8.0;
+    const double u = (d.ratio[i] - c) / (1 + d.ratio[i] * c);
+    const double s = u * u;
+    double sum = 1.0 / 13.0;
+    sum = 1.0 / 11.0 - s * sum;
+    sum = 1.0 / 9.0 - s * sum;
+    sum = 1.0 / 7.0 - s * sum;
+    sum = 1.0 / 5.0 - s * sum;
+    sum = 1.0 / 3.0 - s * sum;
+    const double flat_angle = d.nearby[i] + (u - u * s * sum);
+    const double steep_angle = half_pi - flat_angle;
+    const double right_angle = ay > ax ? steep_angle : flat_angle;
+    const double left_angle = 2 * half_pi - right_angle;
+    const double down_angle = d.dx[i] < 0 ? left_angle : right_angle;
+    const double angle = d.dy[i] < 0 ? -down_angle : down_angle;
+    const double steps = (angle - half_window) / theta_step;
+    auto n = static_cast<std::int32_t>((steps + to_integer) - to_integer);
+    // At least -2 half turns, at most one, and a little for rounding.
+    n += n < 0 ? half_turn : 0;
+    n += n < 0 ? half_turn : 0;
+    n += n < 0 ? half_turn : 0;
+    n -= n >= half_turn ? half_turn : 0;
+    n -= n >= half_turn ? half_turn : 0;
+    d.first[i] = ax + ay > 0 ? n : std::int32_t{hough_no_direction};
+  }
+}
+
+void first_angles(const std::int16_t* dx, const std::int16_t* dy, const std::uint16_t* columns,
+                  std::int32_t count, const HoughWindowRule& rule, std::uint16_t* first) noexcept {
+  Directions d;
+  for (std::int32_t start = 0; start < count; start += block) {
+    const std::int32_t some = count - start < block ? count - start : block;
+    const std::int32_t whole = (some + lanes - 1) / lanes * lanes;
+    for (std::int32_t i = 0; i < some; ++i) {
+      d.dx[i] = dx[columns[start + i]];
+      d.dy[i] = dy[columns[start + i]];
+    }
+    for (std::int32_t i = some; i < whole; ++i) d.dx[i] = d.dy[i] = 0;
+    find_ratios(d, whole);
+    for (std::int32_t i = 0; i < whole; ++i) d.nearby[i] = arc_tangents_of_eighths[d.eighth[i]];
+    find_first(d, whole, rule);
+    for (std::int32_t i = 0; i < some; ++i)
+      first[columns[start + i]] = static_cast<std::uint16_t>(d.first[i]);
+  }
+}
+
+}  // namespace
+}  // namespace STRAIGHTEDGE_KERNEL_SET
+
+constinit const HoughKernels STRAIGHTEDGE_OF_SET(_hough_kernels){
+    .bytes = {&STRAIGHTEDGE_KERNEL_SET::cast<std::uint8_t>, &STRAIGHTEDGE_KERNEL_SET::take_off<std::uint8_t>,
+              &STRAIGHTEDGE_KERNEL_SET::find<std::uint8_t>},
+    .words = {&STRAIGHTEDGE_KERNEL_SET::cast<std::int16_t>, &STRAIGHTEDGE_KERNEL_SET::take_off<std::int16_t>,
+              &STRAIGHTEDGE_KERNEL_SET::find<std::int16_t>},
+    .edge_columns = &STRAIGHTEDGE_KERNEL_SET::edge_columns,
+    .first_angles = &STRAIGHTEDGE_KERNEL_SET::first_angles,
+};
+
+}  // namespace straightedge

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "hough/list_pixels.hpp"
+
+#include <cstring>
+
+#include "hough/follow_line.hpp"
+#include "straightedge/hough_kernels.hpp"
+
+namespace straightedge::hough {
+namespace {
+
+/// Most pixels are no edges: four at a time are read as one number, which need not be aligned.
+bool any_edge(const std::uint8_t* four) noexcept {
+  std::uint32_t all = 0;
+  std::memcpy(&all, four, sizeof all);
+  return all != 0;
+}
+
+/// Calls take(x, y) for each edge pixel.
+template <class Take>
+void for_each_edge(GrayView edges, const Take& take) noexcept {
+  for (std::int32_t y = 0; y < edges.height; ++y) {
+    const std::uint8_t* row = edges.row(y);
+    for (std::int32_t x = 0; x < edges.width; ++x) {
+      while (x + 4 <= edges.width && !any_edge(row + x)) x += 4;
+      if (x == edges.width) break;
+      if (row[x] != 0) take(x, y);
+    }
+  }
+}
+
+/// The same, a piece of a row at a time; notes where the gradient windows begin.
+template <class Take>
+void for_each_edge(const HoughJob& job, const HoughKernels& kernels, const Take& take) noexcept {
+  const GrayView edges = job.edges;
+  const std::span<std::uint16_t> firsts = job.memory.firsts;
+  const HoughWindowRule rule{job.options.gradient_window, static_cast<double>(job.grid.theta_step),
+                             job.grid.half_turn};
+  constexpr std::int32_t piece = 512;
+  std::uint16_t columns[piece + 8];
+  for (std::int32_t y = 0; y < edges.height; ++y) {
+    for (std::int32_t first = 0; first < edges.width; first += piece) {
+      const std::int32_t width = edges.width - first < piece ? edges.width - first : piece;
+      const std::int32_t count = kernels.edge_columns(edges.row(y) + first, width, columns);
+      for (std::int32_t i = 0; i < count; ++i) take(first + columns[i], y);
+      if (firsts.empty()) continue;
+      const auto place = static_cast<std::size_t>(y) * static_cast<std::size_t>(edges.width);
+      kernels.first_angles(job.gradients.dx.row(y) + first, job.gradients.dy.row(y) + first, columns, count,
+                           rule, &firsts[place + static_cast<std::size_t>(first)]);
+    }
+  }
+}
+
+}  // namespace
+
+std::uint32_t list_pixels(HoughJob& job) noexcept {
+  const PixelStates all = states(job);
+  std::uint32_t count = 0;
+  for (std::uint8_t& four : job.memory.mask) four = 0;
+  const auto list = [&](std::int32_t x, std::int32_t y) noexcept {
+    all.set(x, y, PixelState::waiting);
+    if (count < job.memory.points.size())
+      job.memory.points[count] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
+    ++count;
+  };
+  if (job.options.kernels == nullptr) {
+    for_each_edge(job.edges, list);
+  } else {
+    for_each_edge(job, *job.options.kernels, list);
+  }
+  return count;
+}
+
+}  // namespace straightedge::hough

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "map/edge_planes.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "canny/edge_words.hpp"
+#include "canny/word_fill.hpp"
+#include "straightedge/arena.hpp"
+#include "straightedge/detail/canny_row_memory.hpp"
+#include "straightedge/detail/canny_row_recipe.hpp"
+#include "straightedge/suppress.hpp"
+
+namespace straightedge {
+namespace {
+
+constexpr std::uint32_t worklist = 1U << 14U;
+constexpr std::int32_t word = 64;
+
+struct RowMemory {
+  detail::CannyRowMemory rows;
+  std::span<std::uint32_t> worklist;
+  std::span<std::uint8_t> classes;  ///< of one row
+  std::span<std::uint8_t> words;
+
+  /// Rings as long as the picture is high keep every row.
+  static RowMemory take(Arena& arena, Size size, const CannyOptions& options) {
+    const auto words = static_cast<std::size_t>((size.width + word - 1) / word);
+    RowMemory memory;
+    memory.rows = detail::CannyRowMemory::take(arena, size, options);
+    memory.rows.blurred =
+        detail::RowRing<std::uint8_t>::take(arena, size.height, size.width, options.aperture / 2);
+    memory.rows.dx = detail::RowRing<std::int16_t>::take(arena, size.height, size.width, 0);
+    memory.rows.dy = detail::RowRing<std::int16_t>::take(arena, size.height, size.width, 0);
+    memory.worklist = arena.take<std::uint32_t>(straightedge::worklist);
+    memory.classes = arena.take<std::uint8_t>(words * word);
+    memory.words = arena.take<std::uint8_t>(words * EdgeWord::bytes * static_cast<std::size_t>(size.height));
+    return memory;
+  }
+};
+
+template <class T>
+ImageView<const T> all_rows(const detail::RowRing<T>& ring, Size size) {
+  return {ring.row(0), size, static_cast<std::ptrdiff_t>(ring.stride * sizeof(T))};
+}
+
+}  // namespace
+
+Status EdgePlanes::detect(GrayView gray, const CannyOptions& options, const KernelSet& kernels) {
+  const Status valid = Canny::check(gray.size(), options);
+  if (valid != Status::ok) return valid;
+  if (pixels.size() != gray.size()) pixels = Image<std::uint8_t>(gray.size());
+  const CannyRowOptions rows{.kernels = kernels.canny_rows};
+  const bool may = detail::CannyRowRecipe::check(gray.size(), options, rows) == Status::ok;
+  return may ? by_rows(gray, options, *kernels.canny_rows) : by_stages(gray, options);
+}
+
+void EdgePlanes::reserve(std::size_t bytes) {
+  if (bytes <= bytes_) return;
+  memory_ = std::make_unique_for_overwrite<std::byte[]>(bytes);
+  bytes_ = bytes;
+}
+
+Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const CannyRowKernels& kernels) {
+  const Size size = gray.size();
+  Arena measure = Arena::measure();
+  RowMemory::take(measure, size, options);
+  reserve(measure.used());
+  Arena arena({memory_.get(), bytes_});
+  const RowMemory memory = RowMemory::take(arena, size, options);
+  const Status made = make_gaussian_kernel(options.sigma, memory.rows.taps);
+  if (made != Status::ok) return made;
+  detail::CannyRowRecipe recipe;
+  detail::CannyRowRecipe::prepare(recipe, size, options, kernels, memory.rows);
+  std::fill(memory.classes.begin(), memory.classes.end(), no_edge);
+
+  const std::int32_t words_in_row = (size.width + word - 1) / word;
+  const EdgeWords words{memory.words.data(), words_in_row * static_cast<std::ptrdiff_t>(EdgeWord::bytes),
+                        words_in_row, size.height};
+  recipe.begin();
+  for (std::int32_t y = 0; y < size.height; ++y) {
+    recipe.push(gray.row(y));
+    while (recipe.next(memory.classes.data()))
+      kernels.pack_classes(memory.classes.data(), words.row(recipe.rows_out() - 1), size.width);
+  }
+  fill_words(words, memory.worklist);
+  std::uint32_t count = 0;
+  for (std::int32_t y = 0; y < size.height; ++y)
+    count += kernels.spread_edges(words.row(y), pixels.view().row(y), size.width);
+  blurred = all_rows(memory.rows.blurred, size);
+  dx = all_rows(memory.rows.dx, size);
+  dy = all_rows(memory.rows.dy, size);
+  result = {Status::ok, options.low, options.high, recipe.strong(), count};
+  return Status::ok;
+}
+
+Status EdgePlanes::by_stages(GrayView gray, const CannyOptions& options) {
+  const std::size_t bytes = Canny::workspace_bytes(gray.size(), options);
+  reserve(bytes);
+  Canny canny;
+  const Status prepared = Canny::prepare(canny, gray.size(), options, {memory_.get(), bytes_});
+  if (prepared != Status::ok) return prepared;
+  result = canny.run(gray, pixels.view());
+  blurred = canny.blurred();
+  dx = canny.gradient_x();
+  dy = canny.gradient_y();
+  return result.status;
+}
+
+Image<std::int32_t> EdgePlanes::magnitude(GradientNorm norm) const {
+  Image<std::int32_t> out(dx.size());
+  for (std::int32_t y = 0; y < dx.height; ++y) {
+    const std::int16_t* const along = dx.row(y);
+    const std::int16_t* const down = dy.row(y);
+    std::int32_t* const row = out.view().row(y);
+    for (std::int32_t x = 0; x < dx.width; ++x) {
+      const std::int32_t a = along[x], b = down[x];
+      row[x] = norm == GradientNorm::l1 ? (a < 0 ? -a : a) + (b < 0 ? -b : b) : a * a + b * b;
+    }
+  }
+  return out;
+}
+
+}  // namespace straightedge
