@@ -3,6 +3,8 @@
 #include "straightedge/frame_planes.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "cell_labels.hpp"
 #include "free_cells.hpp"
@@ -38,26 +40,49 @@ void count_contacts(Size size, std::span<const std::uint16_t> labels,
                     std::span<std::uint32_t> contacts) noexcept {
   std::fill(contacts.begin(), contacts.end(), 0U);
   const auto count = [&](std::uint16_t a, std::uint16_t b) noexcept {
-    if (a == 0 || b == 0 || a == b) return;
-    ++of_pair(contacts, a - 1U, b - 1U);
+    if (a != b && a != 0 && b != 0) ++of_pair(contacts, a - 1U, b - 1U);
   };
-  const auto width = static_cast<std::size_t>(size.width);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if ((i + 1) % width != 0) count(labels[i], labels[i + 1]);
-    if (i + width < labels.size()) count(labels[i], labels[i + width]);
+  const std::uint16_t* row = labels.data();
+  for (std::int32_t y = 0; y < size.height; ++y, row += size.width) {
+    for (std::int32_t x = 0; x + 1 < size.width; ++x) count(row[x], row[x + 1]);
+    if (y + 1 == size.height) break;
+    for (std::int32_t x = 0; x < size.width; ++x) count(row[x], row[x + size.width]);
   }
 }
 
-std::uint32_t relabel(ImageView<std::uint16_t> labels, std::span<const std::uint16_t> by) noexcept {
-  std::uint32_t labelled = 0;
+/// Where the cells of each plane begin and end.
+void find_ranges(std::span<const std::uint16_t> labels, std::span<std::uint32_t> first,
+                 std::span<std::uint32_t> end) noexcept {
+  std::fill(first.begin(), first.end(), 0U);
+  std::fill(end.begin(), end.end(), 0U);
+  for (std::size_t i = 0; i < labels.size();) {
+    const std::size_t begin = i;
+    const std::uint16_t label = labels[i];
+    while (i < labels.size() && labels[i] == label) ++i;
+    if (label == 0) continue;
+    if (end[label - 1U] == 0) first[label - 1U] = static_cast<std::uint32_t>(begin);
+    end[label - 1U] = static_cast<std::uint32_t>(i);
+  }
+}
+
+/// Gives the labels their new names; most keep theirs.
+void relabel(ImageView<std::uint16_t> labels, std::span<const std::uint16_t> by) noexcept {
+  constexpr std::int32_t at_once = 64;
+  std::array<std::uint16_t, at_once> before;
   for (std::int32_t y = 0; y < labels.height; ++y) {
-    std::uint16_t* row = labels.row(y);
-    for (std::int32_t x = 0; x < labels.width; ++x) {
-      row[x] = by[row[x]];
-      labelled += row[x] != 0 ? 1U : 0U;
+    for (std::int32_t x = 0; x < labels.width; x += at_once) {
+      std::uint16_t* row = labels.row(y) + x;
+      const std::int32_t width = std::min(at_once, labels.width - x);
+      std::copy(row, row + width, before.begin());
+      for (std::size_t label = 1; label < by.size(); ++label) {
+        if (by[label] == label) continue;
+        const auto from = static_cast<std::uint16_t>(label), to = by[label];
+        for (std::int32_t i = 0; i < width; ++i) {
+          row[i] = before[static_cast<std::size_t>(i)] == from ? to : row[i];
+        }
+      }
     }
   }
-  return labelled;
 }
 
 }  // namespace
@@ -79,15 +104,16 @@ Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
 
 void FramePlanes::assign_cells() noexcept {
   // Step 3.
-  detail::label_cells(cells_, surfaces_.first(count_), options_.gate, cell_labels_);
+  detail::CellLabeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels, padded_surfaces_}.label(
+      cell_labels_);
 }
 
 void FramePlanes::refit(const PinholeCamera& camera) noexcept {
   // Step 4.
   const detail::PlaneSurfaces fitting(size_, camera, options_);
-  fitting.sum(cells_, cell_labels_[0], sums_.first(count_));
+  fitting.sum(cells_, small_cell_labels(), sums_.first(count_));
   for (std::uint16_t k = 0; k < count_; ++k) {
-    const bool stays = sums_[k].n >= min_pixels_ / 2.0 && fitting.fit(sums_[k], surfaces_[k]);
+    const bool stays = sums_[k].n >= min_pixels_ / 2.0 && fitting.fit(sums_[k], surfaces_[k], squares_[k]);
     becomes_[k] = stays ? k : gone;
   }
   join(fitting);
@@ -95,14 +121,15 @@ void FramePlanes::refit(const PinholeCamera& camera) noexcept {
 }
 
 void FramePlanes::join(const detail::PlaneSurfaces& fitting) noexcept {
-  count_contacts(cells_.size(0), cell_labels_[0], contacts_);
+  count_contacts(cells_.size(cells_.finest()), small_cell_labels(), contacts_);
   for (std::uint16_t i = 0; i < count_; ++i) {
     if (becomes_[i] != i) continue;
     for (std::uint16_t j = i + 1U; j < count_; ++j) {
-      detail::BentPlane both;
-      const std::uint32_t touching = of_pair(contacts_, i, j);
-      if (becomes_[j] != j || !fitting.are_one(sums_[i], sums_[j], touching, both)) continue;
-      surfaces_[i] = both;
+      if (becomes_[j] != j) continue;
+      if (!fitting.are_one(sums_[i], sums_[j], squares_[i] + squares_[j], of_pair(contacts_, i, j),
+                           surfaces_[i], squares_[i])) {
+        continue;
+      }
       sums_[i].add(sums_[j]);
       for (std::size_t k = 0; k < count_; ++k) {
         if (k != i && k != j) of_pair(contacts_, i, k) += of_pair(contacts_, j, k);
@@ -123,6 +150,7 @@ void FramePlanes::keep() noexcept {
     if (becomes_[k] == k) {
       candidates_[kept] = candidates_[k];
       surfaces_[kept] = surfaces_[k];
+      squares_[kept] = squares_[k];
       sums_[kept] = sums_[k];
       label[k + 1] = static_cast<std::uint16_t>(++kept);
     } else if (becomes_[k] != gone) {
@@ -130,24 +158,44 @@ void FramePlanes::keep() noexcept {
     }
   }
   count_ = kept;
-  for (std::uint16_t& cell : cell_labels_[0]) cell = label[cell];
+  for (std::uint16_t& cell : small_cell_labels()) cell = label[cell];
+}
+
+void FramePlanes::sort_by_cells() noexcept {
+  // So that the order of the pixels, which is not known before the last step, hardly ever differs.
+  const std::span<std::uint16_t> before = becomes_.first(count_);
+  for (std::uint16_t i = 0; i < count_; ++i) {
+    before[i] = i;
+    for (std::size_t k = i; k > 0 && sums_[k - 1].n < sums_[k].n; --k) {
+      std::swap(sums_[k - 1], sums_[k]);
+      std::swap(surfaces_[k - 1], surfaces_[k]);
+      std::swap(candidates_[k - 1], candidates_[k]);
+      std::swap(before[k - 1], before[k]);
+    }
+  }
+  new_label_[0] = 0;
+  for (std::uint16_t i = 0; i < count_; ++i) new_label_[before[i] + 1U] = static_cast<std::uint16_t>(i + 1);
+  for (std::uint16_t& cell : small_cell_labels()) cell = new_label_[cell];
 }
 
 void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
   // Step 5.
   const detail::ShapeMemory memory{visited_, list_};
   std::fill(visited_.begin(), visited_.end(), std::uint16_t{0});
+  const std::span<std::uint16_t> labels = small_cell_labels();
+  find_ranges(labels, first_.first(count_), end_.first(count_));
   bool changed = false;
   for (std::uint16_t k = 0; k < count_; ++k) {
     std::size_t solid = 0;
     const auto label = static_cast<std::uint16_t>(k + 1);
-    const detail::PlaneShape shape = detail::plane_shape(cells_, cell_labels_[0], label, surfaces_[k],
-                                                         options_, min_pixels_, camera, memory, last, solid);
+    const detail::PlaneShape shape =
+        detail::plane_shape(cells_, {labels, label, first_[k], end_[k]}, surfaces_[k], options_, min_pixels_,
+                            camera, memory, last, solid);
     becomes_[k] = shape == detail::PlaneShape::flat ? k : gone;
     if (shape != detail::PlaneShape::bent) continue;
     changed = true;
     for (const std::int32_t cell : list_.first(solid)) {
-      const std::uint16_t owner = cell_labels_[0][static_cast<std::size_t>(cell)];
+      const std::uint16_t owner = labels[static_cast<std::size_t>(cell)];
       if (owner == label || owner == 0) clear_cell(cell);
     }
   }
@@ -156,11 +204,11 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
 }
 
 void FramePlanes::clear_cell(std::int32_t cell) noexcept {
-  constexpr std::int32_t side = DepthCells::side;
-  const std::int32_t width = cells_.size(0).width;
+  const std::int32_t side = options_.cell, width = cells_.size(cells_.finest()).width;
   const std::int32_t left = cell % width * side, top = cell / width * side;
-  cells_.level(0)[static_cast<std::size_t>(cell)] = {};
-  cell_labels_[0][static_cast<std::size_t>(cell)] = 0;
+  cells_.level(cells_.finest())[static_cast<std::size_t>(cell)] = {};
+  cells_.counts()[static_cast<std::size_t>(cell)] = 0;
+  small_cell_labels()[static_cast<std::size_t>(cell)] = 0;
   for (std::int32_t y = top; y < std::min(top + side, size_.height); ++y) {
     std::fill(inverse_depth_.row(y) + left, inverse_depth_.row(y) + std::min(left + side, size_.width), 0.0F);
   }
@@ -193,17 +241,19 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   found = {};
   count_ = 0;
   // Step 1.
-  const Status read = inverse_depth_image(depth, inverse_depth_);
+  const Status read = inverse_depth_image(depth, inverse_depth_, *options_.kernels);
   if (read != Status::ok) return read;
-  cells_.build(inverse_depth_);
+  cells_.build(inverse_depth_, *options_.kernels);
   double readings = 0;
   for (const InverseDepthMoments& cell : cells_.level(DepthCells::levels - 1)) readings += cell.n;
   found.readings = static_cast<std::uint32_t>(readings);
   // Steps 2 to 6.
   Status status = search_round(depth, search, {}, found);
   for (std::uint32_t round = 1; status == Status::ok && round < options_.rounds; ++round) {
-    const std::uint32_t middles = detail::free_cells(cells_, cell_labels_[0], visited_, labels);
-    if (middles * DepthCells::side * DepthCells::side < min_pixels_) break;
+    const std::uint32_t middles = detail::free_cells(cells_, small_cell_labels(), visited_);
+    const std::int32_t side = options_.cell;
+    if (middles * static_cast<std::uint32_t>(side * side) < min_pixels_) break;
+    detail::mark_pixels(cells_.size(cells_.finest()), side, visited_, labels);
     status = search_round(depth, search, labels, found);
   }
   return status != Status::ok ? status : finish(depth, labels, planes, found);
@@ -214,9 +264,11 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
   // Step 7.
   assign_cells();
   refit(depth.camera);
+  sort_by_cells();
   judge(depth.camera, true);
-  detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], surfaces_.first(count_), options_.gate,
-                       labels, moments_, list_);
+  detail::PixelLabeller{inverse_depth_,   cells_,           small_cell_labels(), surfaces_.first(count_),
+                        options_.gate, *options_.kernels}
+      .label(labels, moments_, list_);
   // Step 8.
   const std::span<std::uint16_t> order = becomes_;
   sort_by_pixels(moments_.first(count_), order.first(count_));
@@ -244,8 +296,9 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
     plane.score = candidate.score;
     planes[found.planes++] = plane;
     new_label_[order[i] + 1U] = static_cast<std::uint16_t>(found.planes);
+    found.labelled += plane.inliers;
   }
-  found.labelled = relabel(labels, new_label_);
+  relabel(labels, new_label_.first(count_ + 1U));
   return status;
 }
 

@@ -14,7 +14,11 @@ namespace straightedge::detail {
 
 /// The different planes of a cell and the eight around it, in the order of rows.
 struct LabelsAround {
-  std::array<std::uint16_t, 9> labels{};
+  /// Set beside a label, it says something about its cell; not looked at here.
+  static constexpr std::uint16_t mark = 0x8000;
+
+  static constexpr std::size_t most = 9;
+  std::array<std::uint16_t, most> labels{};
   std::size_t count = 0;
 
   LabelsAround() noexcept = default;
@@ -22,7 +26,7 @@ struct LabelsAround {
     const std::int32_t left = std::max<std::int32_t>(x - 1, 0), right = std::min(x + 1, size.width - 1);
     for (std::int32_t j = std::max<std::int32_t>(y - 1, 0); j <= std::min(y + 1, size.height - 1); ++j) {
       const std::uint16_t* row = of_cells.data() + static_cast<std::ptrdiff_t>(j) * size.width;
-      for (std::int32_t i = left; i <= right; ++i) add(row[i]);
+      for (std::int32_t i = left; i <= right; ++i) add(static_cast<std::uint16_t>(row[i] & ~mark));
     }
   }
 
