@@ -106,7 +106,7 @@ class FramePlanes {
     }
     contacts_ = arena.take<std::uint32_t>(std::size_t{options.max_planes} * (options.max_planes - 1U) / 2);
     first_ = arena.take<std::uint32_t>(options.max_planes);
-    end_ = arena.take<std::uint32_t>(options.max_planes);
+    cells_of_ = arena.take<std::uint32_t>(options.max_planes);
     moments_ = arena.take<InverseDepthMoments>(options.max_planes);
     becomes_ = arena.take<std::uint16_t>(options.max_planes);
     new_label_ = arena.take<std::uint16_t>(std::size_t{options.max_planes} + 1);
@@ -141,7 +141,7 @@ class FramePlanes {
   DepthSurfaces padded_surfaces_;
   std::span<detail::QuadraticSums> sums_;
   std::span<std::uint32_t> contacts_;   // touching cells of each pair of planes
-  std::span<std::uint32_t> first_, end_;  // the cells of each plane lie between
+  std::span<std::uint32_t> first_, cells_of_;  // each plane's first cell, and how many it has
   std::span<InverseDepthMoments> moments_;
   /// What becomes of each plane: itself, an earlier one that it is joined into, or gone; in the end their
   /// order.

@@ -109,9 +109,11 @@ struct Level {
     for_square(level, x, y, 2, [&](std::size_t place) noexcept {
       labels_of(level)[place] = static_cast<std::uint16_t>(label | settled);
     });
-    const double least = least_readings(level - 1);
-    for_square(level - 1, 2 * x, 2 * y, 4, [&](std::size_t place) noexcept {
-      labels_of(level - 1)[place] = work.cells.counts()[place] >= least ? label : std::uint16_t{0};
+    const auto least = static_cast<std::int32_t>(least_readings(level - 1));
+    const std::uint8_t* counts = work.cells.counts().data();
+    std::uint16_t* out = labels_of(level - 1).data();
+    for_square(level - 1, 2 * x, 2 * y, 4, [=](std::size_t place) noexcept {
+      out[place] = counts[place] > least ? label : std::uint16_t{0};
     });
   }
   template <class Visit>
@@ -119,8 +121,10 @@ struct Level {
                   const Visit& visit) const noexcept {
     const Size size = work.cells.size(which);
     const std::int32_t right = std::min(x + side, size.width), bottom = std::min(y + side, size.height);
-    for (std::int32_t j = y; j < bottom; ++j) {
-      for (std::int32_t i = x; i < right; ++i) visit(place_of(size, i, j));
+    const auto across = static_cast<std::size_t>(right - x), apart = static_cast<std::size_t>(size.width);
+    std::size_t row = place_of(size, x, y);
+    for (std::int32_t j = y; j < bottom; ++j, row += apart) {
+      for (std::size_t i = 0; i < across; ++i) visit(row + i);
     }
   }
   bool reads(std::size_t place) const noexcept {

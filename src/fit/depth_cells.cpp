@@ -98,16 +98,16 @@ void DepthCells::sum_up() noexcept {
   // Step 2.
   for (int fine = finest_; fine + 1 < levels; ++fine) {
     const Size from = size(fine), to = size(fine + 1);
-    const InverseDepthMoments* cells = level(fine).data();
     InverseDepthMoments* out = level(fine + 1).data();
     for (std::int32_t y = 0; y < to.height; ++y) {
+      const InverseDepthMoments* upper = level(fine).data() + static_cast<std::ptrdiff_t>(2 * y) * from.width;
+      const InverseDepthMoments* lower = 2 * y + 1 < from.height ? upper + from.width : nullptr;
       for (std::int32_t x = 0; x < to.width; ++x, ++out) {
-        *out = {};
-        for (std::int32_t j = 2 * y; j < std::min(2 * y + 2, from.height); ++j) {
-          for (std::int32_t i = 2 * x; i < std::min(2 * x + 2, from.width); ++i) {
-            out->add(cells[static_cast<std::ptrdiff_t>(j) * from.width + i]);
-          }
-        }
+        const bool pair = 2 * x + 1 < from.width;
+        *out = upper[2 * x];
+        if (pair) out->add(upper[2 * x + 1]);
+        if (lower != nullptr) out->add(lower[2 * x]);
+        if (lower != nullptr && pair) out->add(lower[2 * x + 1]);
       }
     }
   }

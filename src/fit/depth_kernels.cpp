@@ -210,14 +210,18 @@ void choose(const DepthChoice& pixel, std::int32_t* chosen) noexcept {
   }
 }
 
-void near(const DepthSurfaces& surfaces, float x, float y, float q, float limit,
-          std::uint8_t* near) noexcept {
-  const DepthSurfaces s = surfaces;  // bytes may alias anything, a copy is out of their reach
+void near(const DepthSurfaces& s, float x, float y, float q, float limit, std::uint8_t* near) noexcept {
   const float xx = x * x, xy = x * y, yy = y * y;
-  for (std::int32_t k = 0; k < s.count; ++k) {
-    const float at = (s.c[k] + s.x[k] * x) + (s.y[k] * y + s.xx[k] * xx) + (s.xy[k] * xy + s.yy[k] * yy);
-    const float off = q - at;
-    near[k] = static_cast<std::uint8_t>(off * off <= limit);
+  for (std::int32_t first = 0; first < s.count; first += DepthSurfaces::step) {
+    const float *c = s.c + first, *cx = s.x + first, *cy = s.y + first;
+    const float *cxx = s.xx + first, *cxy = s.xy + first, *cyy = s.yy + first;
+    std::uint8_t is_near[DepthSurfaces::step];
+    for (std::int32_t k = 0; k < DepthSurfaces::step; ++k) {
+      const float at = (c[k] + cx[k] * x) + (cy[k] * y + cxx[k] * xx) + (cxy[k] * xy + cyy[k] * yy);
+      const float off = q - at;
+      is_near[k] = static_cast<std::uint8_t>(off * off <= limit);
+    }
+    for (std::int32_t k = 0; k < DepthSurfaces::step; ++k) near[first + k] = is_near[k];
   }
 }
 

@@ -35,6 +35,11 @@ std::uint32_t& of_pair(std::span<std::uint32_t> contacts, std::size_t i, std::si
   return i < j ? contacts[j * (j - 1) / 2 + i] : contacts[i * (i - 1) / 2 + j];
 }
 
+/// Whether four labels equal the four from `other` on.
+bool same_four(const std::uint16_t* labels, const std::uint16_t* other) noexcept {
+  return std::equal(labels, labels + 4, other);
+}
+
 /// How many pairs of neighbouring cells belong to planes i and j.
 void count_contacts(Size size, std::span<const std::uint16_t> labels,
                     std::span<std::uint32_t> contacts) noexcept {
@@ -44,43 +49,74 @@ void count_contacts(Size size, std::span<const std::uint16_t> labels,
   };
   const std::uint16_t* row = labels.data();
   for (std::int32_t y = 0; y < size.height; ++y, row += size.width) {
-    for (std::int32_t x = 0; x + 1 < size.width; ++x) count(row[x], row[x + 1]);
-    if (y + 1 == size.height) break;
-    for (std::int32_t x = 0; x < size.width; ++x) count(row[x], row[x + size.width]);
+    const std::uint16_t* below = y + 1 < size.height ? row + size.width : row;
+    for (std::int32_t x = 0; x < size.width; ++x) {
+      // Nearly everywhere nothing changes.
+      while (x + 4 < size.width && same_four(row + x, row + x + 1) && same_four(row + x, below + x)) x += 4;
+      if (x + 1 < size.width) count(row[x], row[x + 1]);
+      count(row[x], below[x]);
+    }
   }
 }
 
-/// Where the cells of each plane begin and end.
-void find_ranges(std::span<const std::uint16_t> labels, std::span<std::uint32_t> first,
-                 std::span<std::uint32_t> end) noexcept {
-  std::fill(first.begin(), first.end(), 0U);
-  std::fill(end.begin(), end.end(), 0U);
+/// Each plane's first cell, and how many it has.
+void count_cells(std::span<const std::uint16_t> labels, std::span<std::uint32_t> first,
+                 std::span<std::uint32_t> count) noexcept {
+  std::fill(count.begin(), count.end(), 0U);
   for (std::size_t i = 0; i < labels.size();) {
     const std::size_t begin = i;
     const std::uint16_t label = labels[i];
     while (i < labels.size() && labels[i] == label) ++i;
     if (label == 0) continue;
-    if (end[label - 1U] == 0) first[label - 1U] = static_cast<std::uint32_t>(begin);
-    end[label - 1U] = static_cast<std::uint32_t>(i);
+    if (count[label - 1U] == 0) first[label - 1U] = static_cast<std::uint32_t>(begin);
+    count[label - 1U] += static_cast<std::uint32_t>(i - begin);
   }
 }
 
-/// Gives the labels their new names; most keep theirs.
-void relabel(ImageView<std::uint16_t> labels, std::span<const std::uint16_t> by) noexcept {
-  constexpr std::int32_t at_once = 64;
+void rename(std::span<std::uint16_t> cells, std::span<const std::uint16_t> by) noexcept {
+  for (std::uint16_t& cell : cells) cell = by[cell];
+}
+
+/// Labels that are not in `changed` stay.
+void rename_some(std::span<std::uint16_t> row, std::span<const std::uint16_t> changed,
+                 std::span<const std::uint16_t> by) noexcept {
+  constexpr std::size_t at_once = 128;
   std::array<std::uint16_t, at_once> before;
+  for (std::size_t x = 0; x < row.size(); x += at_once) {
+    std::uint16_t* labels = row.data() + x;
+    const std::size_t width = std::min(at_once, row.size() - x);
+    std::copy(labels, labels + width, before.begin());
+    for (const std::uint16_t from : changed) {
+      const std::uint16_t to = by[from];
+      for (std::size_t i = 0; i < width; ++i) labels[i] = before[i] == from ? to : labels[i];
+    }
+  }
+}
+
+bool changes_nothing(std::span<const std::uint16_t> by) noexcept {
+  for (std::size_t label = 0; label < by.size(); ++label) {
+    if (by[label] != label) return false;
+  }
+  return true;
+}
+
+/// The same for pixels, where it pays to look only for what changes: little, as a rule.
+void rename(ImageView<std::uint16_t> labels, std::span<const std::uint16_t> by) noexcept {
+  constexpr std::size_t few = 12;
+  std::array<std::uint16_t, few> changed;
+  std::size_t count = 0;
+  for (std::size_t label = 0; label < by.size(); ++label) {
+    if (by[label] == label) continue;
+    if (count < few) changed[count] = static_cast<std::uint16_t>(label);
+    ++count;
+  }
+  if (count == 0) return;
   for (std::int32_t y = 0; y < labels.height; ++y) {
-    for (std::int32_t x = 0; x < labels.width; x += at_once) {
-      std::uint16_t* row = labels.row(y) + x;
-      const std::int32_t width = std::min(at_once, labels.width - x);
-      std::copy(row, row + width, before.begin());
-      for (std::size_t label = 1; label < by.size(); ++label) {
-        if (by[label] == label) continue;
-        const auto from = static_cast<std::uint16_t>(label), to = by[label];
-        for (std::int32_t i = 0; i < width; ++i) {
-          row[i] = before[static_cast<std::size_t>(i)] == from ? to : row[i];
-        }
-      }
+    const std::span<std::uint16_t> row(labels.row(y), static_cast<std::size_t>(labels.width));
+    if (count > few) {
+      rename(row, by);
+    } else {
+      rename_some(row, std::span(changed).first(count), by);
     }
   }
 }
@@ -145,6 +181,7 @@ void FramePlanes::join(const detail::PlaneSurfaces& fitting) noexcept {
 void FramePlanes::keep() noexcept {
   const std::span<std::uint16_t> label = new_label_;
   std::fill(label.begin(), label.end(), std::uint16_t{0});
+  const std::uint32_t before = count_;
   std::uint32_t kept = 0;
   for (std::uint32_t k = 0; k < count_; ++k) {
     if (becomes_[k] == k) {
@@ -158,7 +195,8 @@ void FramePlanes::keep() noexcept {
     }
   }
   count_ = kept;
-  for (std::uint16_t& cell : small_cell_labels()) cell = label[cell];
+  const auto used = label.first(before + 1U);
+  if (!changes_nothing(used)) rename(small_cell_labels(), used);
 }
 
 void FramePlanes::sort_by_cells() noexcept {
@@ -175,7 +213,8 @@ void FramePlanes::sort_by_cells() noexcept {
   }
   new_label_[0] = 0;
   for (std::uint16_t i = 0; i < count_; ++i) new_label_[before[i] + 1U] = static_cast<std::uint16_t>(i + 1);
-  for (std::uint16_t& cell : small_cell_labels()) cell = new_label_[cell];
+  const auto used = new_label_.first(count_ + 1U);
+  if (!changes_nothing(used)) rename(small_cell_labels(), used);
 }
 
 void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
@@ -183,13 +222,13 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
   const detail::ShapeMemory memory{visited_, list_};
   std::fill(visited_.begin(), visited_.end(), std::uint16_t{0});
   const std::span<std::uint16_t> labels = small_cell_labels();
-  find_ranges(labels, first_.first(count_), end_.first(count_));
+  count_cells(labels, first_.first(count_), cells_of_.first(count_));
   bool changed = false;
   for (std::uint16_t k = 0; k < count_; ++k) {
     std::size_t solid = 0;
     const auto label = static_cast<std::uint16_t>(k + 1);
     const detail::PlaneShape shape =
-        detail::plane_shape(cells_, {labels, label, first_[k], end_[k]}, surfaces_[k], options_, min_pixels_,
+        detail::plane_shape(cells_, {labels, label, first_[k], cells_of_[k]}, surfaces_[k], options_, min_pixels_,
                             camera, memory, last, solid);
     becomes_[k] = shape == detail::PlaneShape::flat ? k : gone;
     if (shape != detail::PlaneShape::bent) continue;
@@ -298,7 +337,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
     new_label_[order[i] + 1U] = static_cast<std::uint16_t>(found.planes);
     found.labelled += plane.inliers;
   }
-  relabel(labels, new_label_.first(count_ + 1U));
+  rename(labels, new_label_.first(count_ + 1U));
   return status;
 }
 

@@ -62,29 +62,44 @@ struct Pixels {
   }
 };
 
+/// Greatest label of three cells, and the least but 0: without a plane a cell is 0 in the one, 65535 in the
+/// other.
+struct Extremes {
+  std::uint16_t greatest, least;
+};
+
+constexpr Extremes of_three(std::uint16_t a, std::uint16_t b, std::uint16_t c) noexcept {
+  const std::uint16_t x = a > b ? a : b;
+  const auto u = static_cast<std::uint16_t>(a - 1), v = static_cast<std::uint16_t>(b - 1);
+  const auto w = static_cast<std::uint16_t>(c - 1);
+  const std::uint16_t y = u < v ? u : v;
+  return {x > c ? x : c, y < w ? y : w};
+}
+
+constexpr std::int32_t judged(const Extremes& left, const Extremes& here, const Extremes& right) noexcept {
+  const std::int32_t two = left.greatest > here.greatest ? left.greatest : here.greatest;
+  const std::int32_t greatest = two > right.greatest ? two : right.greatest;
+  const std::int32_t least_of_two = left.least < here.least ? left.least : here.least;
+  const std::int32_t least = least_of_two < right.least ? least_of_two : right.least;
+  return greatest == 0 ? none : greatest - 1 == least ? greatest : border;
+}
+
 /// For a row of cells what their neighbourhoods are: `none`, the only plane, or `border`.
 void look_around(Size size, std::span<const std::uint16_t> labels, std::int32_t y,
                  std::int32_t* around) noexcept {
-  const auto row_at = [&](std::int32_t j) noexcept {
-    return labels.data() + static_cast<std::ptrdiff_t>(std::clamp(j, std::int32_t{0}, size.height - 1)) * size.width;
-  };
-  const std::uint16_t *above = row_at(y - 1), *here = row_at(y), *below = row_at(y + 1);
-  const auto at = [&](std::int32_t left, std::int32_t x, std::int32_t right) noexcept {
-    // Without a plane a cell is 0 where the greatest counts, 65535 where the least does.
-    std::uint16_t greatest = 0, least = 0xFFFF;
-    for (const std::uint16_t* row : {above, here, below}) {
-      for (const std::int32_t i : {left, x, right}) {
-        greatest = std::max(greatest, row[i]);
-        least = std::min(least, static_cast<std::uint16_t>(row[i] - 1));
-      }
-    }
-    const std::int32_t only = greatest - 1 == least ? greatest : border;
-    return greatest == 0 ? none : only;
-  };
   const std::int32_t last = size.width - 1;
-  around[0] = at(0, 0, std::min<std::int32_t>(1, last));
-  for (std::int32_t x = 1; x < last; ++x) around[x] = at(x - 1, x, x + 1);
-  if (last > 0) around[last] = at(last - 1, last, last);
+  const std::uint16_t* here = labels.data() + static_cast<std::ptrdiff_t>(y) * size.width;
+  const std::uint16_t* above = y > 0 ? here - size.width : here;
+  const std::uint16_t* below = y + 1 < size.height ? here + size.width : here;
+  const auto column = [=](std::int32_t x) noexcept { return of_three(above[x], here[x], below[x]); };
+  Extremes left = column(0), middle = left;
+  for (std::int32_t x = 0; x < last; ++x) {
+    const Extremes right = column(x + 1);
+    around[x] = judged(left, middle, right);
+    left = middle;
+    middle = right;
+  }
+  around[last] = judged(left, middle, middle);
 }
 
 /// Rows of cells that make squares of the coarser level `doublings` above.

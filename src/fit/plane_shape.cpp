@@ -147,16 +147,19 @@ PlaneShape plane_shape(const DepthCells& cells, const LabelledCells& plane, cons
   const double cell_pixels = options.cell * options.cell;
   const Flood flood{small, cells.counts(), cells.size(cells.finest()), options.cell * options.cell / 4,
                     plane.labels, plane.label, surface, options.gate, memory};
-  double all = 0, in_solid = 0;
+  double all = static_cast<double>(plane.count), in_solid = 0;
   solid = 0;
-  for (std::size_t i = plane.first; i < plane.end; ++i) {
-    if (plane.labels[i] != plane.label) continue;
-    all += 1;
-    if (memory.visited[i] == plane.label) continue;
+  std::size_t left = plane.count;
+  for (std::size_t i = plane.first; left > 0 && i < plane.labels.size(); ++i) {
+    if (plane.labels[i] != plane.label || memory.visited[i] == plane.label) continue;
     std::size_t end = solid;
-    const auto own = static_cast<double>(flood.piece(static_cast<std::int32_t>(i), solid, end));
-    if (drop_crumbs && own * cell_pixels < crumb_share * min_pixels)
+    const std::size_t own_cells = flood.piece(static_cast<std::int32_t>(i), solid, end);
+    const auto own = static_cast<double>(own_cells);
+    left -= own_cells;
+    if (drop_crumbs && own * cell_pixels < crumb_share * min_pixels) {
       drop_label(memory.list.subspan(solid, end - solid), flood);
+      all -= own;
+    }
     if (own * cell_pixels < min_pixels) continue;
     in_solid += own;
     solid = end;

@@ -23,11 +23,12 @@ struct ShapeMemory {
   std::span<std::int32_t> list;
 };
 
-/// The labels of the smallest cells, and the plane that is looked at; its cells lie in [first, end).
+/// The labels of the smallest cells, and the plane that is looked at: how many carry its label, and the first
+/// of them.
 struct LabelledCells {
   std::span<std::uint16_t> labels;
   std::uint16_t label;
-  std::size_t first, end;
+  std::size_t first, count;
 };
 
 /// Step 5 of frame_planes.hpp: judges one plane.
