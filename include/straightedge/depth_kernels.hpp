@@ -73,9 +73,9 @@ struct DepthKernels {
   /// near (4 deviations), the mean of the 3x3 pixels of the pixel's own surface (8 deviations) decides.
   void (*choose)(const DepthChoice& pixels, std::int32_t* chosen) noexcept;
 
-  /// near[k] = 1 where (q − surface k at (x, y))² <= limit, else 0.
+  /// Bit k % 16 of near[k / 16] tells whether (q − surface k at (x, y))² <= limit.
   void (*near)(const DepthSurfaces& surfaces, float x, float y, float q, float limit,
-               std::uint8_t* near) noexcept;
+               std::uint32_t* near) noexcept;
 };
 
 /// What the firmware runs and what every other table is compared with.

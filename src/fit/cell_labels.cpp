@@ -3,6 +3,7 @@
 #include "cell_labels.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "labels_around.hpp"
 
@@ -81,13 +82,16 @@ struct Level {
   void offer_all(const InverseDepthMoments& cell, double noise, Best& best) const noexcept {
     const double u = cell.u / cell.n, v = cell.v / cell.n;
     // The squares are at least those of the means: a plane far from them cannot become the cell's.
-    std::array<std::uint8_t, most_planes> is_near;
+    std::array<std::uint32_t, most_planes / DepthSurfaces::step> near;
     work.kernels.near(surfaces, static_cast<float>(u - middle_u), static_cast<float>(v - middle_v),
                       static_cast<float>(cell.q / cell.n), static_cast<float>(2 * pure * noise * noise),
-                      is_near.data());
-    for (std::size_t k = 0; k < work.planes.size(); ++k) {
-      if (is_near[k] == 0) continue;
-      best.offer(static_cast<std::uint16_t>(k + 1), squared_residuals(cell, work.planes[k].tangent(u, v)));
+                      near.data());
+    const auto rows = static_cast<std::size_t>(surfaces.count / DepthSurfaces::step);
+    for (std::size_t row = 0; row < rows; ++row) {
+      for (std::uint32_t bits = near[row]; bits != 0; bits &= bits - 1) {
+        const std::size_t k = row * DepthSurfaces::step + static_cast<std::size_t>(std::countr_zero(bits));
+        best.offer(static_cast<std::uint16_t>(k + 1), squared_residuals(cell, work.planes[k].tangent(u, v)));
+      }
     }
   }
   /// The plane that the coarser cell of a block and all around it have, if the cell fits it so well that no

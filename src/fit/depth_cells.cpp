@@ -24,18 +24,29 @@ InverseDepthMoments sum_cell(ImageView<const float> inverse_depth, std::int32_t 
   return m;
 }
 
-/// The sums of a whole cell whose pixels all have a reading: what does not depend on q is known.
-InverseDepthMoments of_full_cell(const DepthCellSums& sums, double side, double left, double top) noexcept {
-  const double n = side * side;
-  const double first = side * (side - 1) / 2;                 // 0 + 1 + ...
-  const double second = first * (2 * side - 1) / 3;           // 0 + 1 + 4 + ...
-  const double u = side * first + n * left, v = side * first + n * top;
-  InverseDepthMoments m{n, u, v, 0, 0, 0, sums.q, sums.uq + left * sums.q, sums.vq + top * sums.q, sums.qq};
-  m.uu = side * second + left * (2 * side * first + n * left);
-  m.uv = first * first + left * (side * first) + top * u;
-  m.vv = side * second + top * (2 * side * first + n * top);
-  return m;
-}
+/// A whole cell whose pixels all have a reading: what does not depend on q is known.
+struct FullCells {
+  double n, first, second, mixed;  // sums of 1, u, uu, uv from the cell's corner
+
+  explicit FullCells(double side) noexcept
+      : n(side * side),
+        first(side * (side * (side - 1) / 2)),
+        second(first * (2 * side - 1) / 3),
+        mixed(side * (side - 1) / 2 * (side * (side - 1) / 2)) {}
+  InverseDepthMoments at(double left, double top, const DepthCellSums& sums) const noexcept {
+    const double u = first + n * left, v = first + n * top;
+    return {n,
+            u,
+            v,
+            second + left * (first + u),
+            mixed + left * first + top * u,
+            second + top * (first + v),
+            sums.q,
+            sums.uq + left * sums.q,
+            sums.vq + top * sums.q,
+            sums.qq};
+  }
+};
 
 /// Cells of one size in a picture.
 struct CellRow {
@@ -51,11 +62,12 @@ struct CellRow {
   void add(std::int32_t first, std::span<const DepthCellSums> sums, InverseDepthMoments* out,
            std::uint8_t* counts) const noexcept {
     const std::int32_t full = side * side;
+    const FullCells cells(side);
     for (std::size_t i = 0; i < sums.size(); ++i) {
       const std::int32_t left = (first + static_cast<std::int32_t>(i)) * side;
       counts[i] = static_cast<std::uint8_t>(std::min(sums[i].n, most_counted));
       if (sums[i].n == full) {
-        out[i] = of_full_cell(sums[i], side, left, top);
+        out[i] = cells.at(left, top, sums[i]);
       } else {
         out[i] = sums[i].n == 0 ? InverseDepthMoments{} : sum(left);
       }

@@ -210,18 +210,23 @@ void choose(const DepthChoice& pixel, std::int32_t* chosen) noexcept {
   }
 }
 
-void near(const DepthSurfaces& s, float x, float y, float q, float limit, std::uint8_t* near) noexcept {
+constexpr std::uint32_t bit[DepthSurfaces::step] = {1U << 0U,  1U << 1U,  1U << 2U,  1U << 3U,
+                                                    1U << 4U,  1U << 5U,  1U << 6U,  1U << 7U,
+                                                    1U << 8U,  1U << 9U,  1U << 10U, 1U << 11U,
+                                                    1U << 12U, 1U << 13U, 1U << 14U, 1U << 15U};
+
+void near(const DepthSurfaces& s, float x, float y, float q, float limit, std::uint32_t* near) noexcept {
   const float xx = x * x, xy = x * y, yy = y * y;
-  for (std::int32_t first = 0; first < s.count; first += DepthSurfaces::step) {
+  for (std::int32_t first = 0; first < s.count; first += DepthSurfaces::step, ++near) {
     const float *c = s.c + first, *cx = s.x + first, *cy = s.y + first;
     const float *cxx = s.xx + first, *cxy = s.xy + first, *cyy = s.yy + first;
-    std::uint8_t is_near[DepthSurfaces::step];
+    std::uint32_t bits = 0;
     for (std::int32_t k = 0; k < DepthSurfaces::step; ++k) {
       const float at = (c[k] + cx[k] * x) + (cy[k] * y + cxx[k] * xx) + (cxy[k] * xy + cyy[k] * yy);
       const float off = q - at;
-      is_near[k] = static_cast<std::uint8_t>(off * off <= limit);
+      bits |= off * off <= limit ? bit[k] : 0U;
     }
-    for (std::int32_t k = 0; k < DepthSurfaces::step; ++k) near[first + k] = is_near[k];
+    *near = bits;
   }
 }
 

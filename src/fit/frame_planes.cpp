@@ -102,7 +102,7 @@ bool changes_nothing(std::span<const std::uint16_t> by) noexcept {
 
 /// The same for pixels, where it pays to look only for what changes: little, as a rule.
 void rename(ImageView<std::uint16_t> labels, std::span<const std::uint16_t> by) noexcept {
-  constexpr std::size_t few = 12;
+  constexpr std::size_t few = 3;
   std::array<std::uint16_t, few> changed;
   std::size_t count = 0;
   for (std::size_t label = 0; label < by.size(); ++label) {

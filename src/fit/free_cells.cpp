@@ -58,10 +58,13 @@ std::uint32_t free_cells(const DepthCells& cells, std::span<const std::uint16_t>
 
 void mark_pixels(Size cells, std::int32_t side, std::span<const std::uint16_t> marks,
                  ImageView<std::uint16_t> labels) noexcept {
-  const auto width = static_cast<std::size_t>(cells.width);
   for (std::int32_t y = 0; y < labels.height; ++y) {
     std::uint16_t* row = labels.row(y);
-    const std::uint16_t* mark = marks.data() + static_cast<std::size_t>(y / side) * width;
+    if (y % side != 0) {
+      std::copy(labels.row(y - 1), labels.row(y - 1) + labels.width, row);
+      continue;
+    }
+    const std::uint16_t* mark = marks.data() + static_cast<std::ptrdiff_t>(y / side) * cells.width;
     for (std::int32_t left = 0; left < labels.width; left += side, ++mark) {
       std::fill(row + left, row + std::min(left + side, labels.width), *mark);
     }

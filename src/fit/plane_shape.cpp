@@ -93,6 +93,23 @@ void drop_label(std::span<const std::int32_t> piece, const Flood& flood) noexcep
   }
 }
 
+/// The plane's next cell that was not visited; there must be one.
+std::size_t next_seed(const LabelledCells& plane, std::span<const std::uint16_t> visited,
+                      std::size_t i) noexcept {
+  constexpr std::size_t at_once = 32;
+  const std::uint16_t* labels = plane.labels.data();
+  const auto is_seed = [&](std::size_t cell) noexcept {
+    return static_cast<int>(labels[cell] == plane.label) & static_cast<int>(visited[cell] != plane.label);
+  };
+  for (; i + at_once < plane.labels.size(); i += at_once) {
+    int found = 0;
+    for (std::size_t k = 0; k < at_once; ++k) found |= is_seed(i + k);
+    if (found != 0) break;
+  }
+  while (i + 1 < plane.labels.size() && is_seed(i) == 0) ++i;
+  return i;
+}
+
 struct Bend {
   double rms = 0;        ///< of the quadratic part, 1/metre
   double curvature = 0;  ///< largest second derivative, 1/(metre pixel²)
@@ -150,8 +167,8 @@ PlaneShape plane_shape(const DepthCells& cells, const LabelledCells& plane, cons
   double all = static_cast<double>(plane.count), in_solid = 0;
   solid = 0;
   std::size_t left = plane.count;
-  for (std::size_t i = plane.first; left > 0 && i < plane.labels.size(); ++i) {
-    if (plane.labels[i] != plane.label || memory.visited[i] == plane.label) continue;
+  for (std::size_t i = plane.first; left > 0; ++i) {
+    i = next_seed(plane, memory.visited, i);
     std::size_t end = solid;
     const std::size_t own_cells = flood.piece(static_cast<std::int32_t>(i), solid, end);
     const auto own = static_cast<double>(own_cells);
