@@ -22,6 +22,8 @@ constexpr double least_share = 0.2;
 // these.
 constexpr double beyond_doubt = 1;
 constexpr double settled_below = 0.75;
+// A plane that all of a cell is further from than this is nowhere near it.
+constexpr double far_away = 16;
 constexpr std::uint16_t settled = LabelsAround::mark;
 constexpr std::size_t most_planes = 256;
 
@@ -94,19 +96,25 @@ struct Level {
       }
     }
   }
-  /// The plane that the coarser cell of a block and all around it have, if the cell fits it so well that no
-  /// part of it can be another's; else 0.
+  /// The plane of the coarser cell of a block, if it fits so well, and the others around so badly, that no
+  /// part of the cell can be another's; else 0.
   Inherited inherited(std::int32_t x, std::int32_t y, const LabelsAround& near) const noexcept {
-    if (near.count != 1) return {};
+    if (near.count == 0) return {};
     const std::size_t place = place_of(work.cells.size(level + 1), x / 2, y / 2);
     const InverseDepthMoments& cell = work.cells.level(level + 1)[place];
     const std::uint16_t label = labels_of(level + 1)[place];
     if (label == 0) return {};
-    const double noise = work.gate.inverse_noise(cell.q / cell.n);
-    const InverseDepthPlane plane = work.planes[label - 1U].tangent(cell.u / cell.n, cell.v / cell.n);
-    const double squares = squared_residuals(cell, plane), unit = cell.n * noise * noise;
-    if (!(squares < beyond_doubt * unit)) return {};
-    return {label, squares < settled_below * unit};
+    const double u = cell.u / cell.n, v = cell.v / cell.n;
+    const double noise = work.gate.inverse_noise(cell.q / cell.n), unit = cell.n * noise * noise;
+    const double squares = squared_residuals(cell, work.planes[label - 1U].tangent(u, v));
+    const bool settles = squares < settled_below * unit;
+    if (!settles && (near.count > 1 || !(squares < beyond_doubt * unit))) return {};
+    for (std::size_t k = 0; near.count > 1 && k < near.count; ++k) {
+      if (near.labels[k] == label) continue;
+      const InverseDepthPlane other = work.planes[near.labels[k] - 1U].tangent(u, v);
+      if (!(squared_residuals(cell, other) > far_away * unit)) return {};
+    }
+    return {label, settles};
   }
   /// Gives the label to a block, and to the smallest cells in it.
   void settle(std::int32_t x, std::int32_t y, std::uint16_t label) const noexcept {

@@ -15,6 +15,10 @@ namespace {
 // Squares, or cells, that are filled at once: so few that a bent plane is flat over them.
 constexpr std::int32_t longest_run = 4;
 
+// A cell's mean squared residual, in variances of the noise.
+constexpr double fits_well = 1.5;
+constexpr double far_away = 25;
+
 // What a cell is, in place of the one plane that it and all cells around have.
 constexpr std::int32_t none = 0;  // no plane anywhere around
 constexpr std::int32_t border = -1;
@@ -144,6 +148,32 @@ struct Band {
       X = end;
     }
   }
+  /// Whether the cell is its own plane's, without a doubt: it fits well, and the others around do not at all.
+  bool is_clear(std::int32_t x, std::int32_t y) const noexcept {
+    const PixelLabeller& work = pixels.work;
+    const Size size = work.cells.size(finest());
+    const auto place = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+    const std::uint16_t own = work.cell_labels[place];
+    if (own == 0) return false;
+    const InverseDepthMoments& cell = work.cells.level(finest())[place];
+    const double u = cell.u / cell.n, v = cell.v / cell.n;
+    const double noise = work.gate.inverse_noise(cell.q / cell.n), unit = cell.n * noise * noise;
+    if (!(squared_residuals(cell, work.planes[own - 1U].tangent(u, v)) < fits_well * unit)) return false;
+    const LabelsAround near(size, work.cell_labels, x, y);
+    for (std::size_t k = 0; k < near.count; ++k) {
+      if (near.labels[k] == own) continue;
+      const InverseDepthPlane other = work.planes[near.labels[k] - 1U].tangent(u, v);
+      if (!(squared_residuals(cell, other) > far_away * unit)) return false;
+    }
+    return true;
+  }
+  /// Border cells that are clear take their plane.
+  void clear_borders(std::int32_t y) const noexcept {
+    const std::uint16_t* own = pixels.work.cell_labels.data() + static_cast<std::ptrdiff_t>(y) * cells_across();
+    for (std::int32_t x = 0; x < cells_across(); ++x) {
+      if (row(y)[x] == border && is_clear(x, y)) row(y)[x] = own[x];
+    }
+  }
   /// What squares left over.
   void label_row(std::int32_t y, PixelChoice& choice) const noexcept {
     const std::int32_t side = DepthCells::side_of(finest()), width = cells_across();
@@ -184,7 +214,10 @@ void PixelLabeller::label(ImageView<std::uint16_t> labels, std::span<InverseDept
     const Band band{pixels, scratch, doublings, top, std::min(top + (1 << doublings), size.height)};
     for (std::int32_t y = top; y < band.bottom; ++y) look_around(size, cell_labels, y, band.row(y));
     band.fill_squares();
-    for (std::int32_t y = top; y < band.bottom; ++y) band.label_row(y, choice);
+    for (std::int32_t y = top; y < band.bottom; ++y) {
+      band.clear_borders(y);
+      band.label_row(y, choice);
+    }
   }
 }
 
