@@ -147,6 +147,7 @@ class FramePlanes {
   /// order.
   std::span<std::uint16_t> becomes_;
   std::span<std::uint16_t> new_label_;  // of each label
+  bool dropped_ = false;
   std::uint32_t count_ = 0;
 };
 

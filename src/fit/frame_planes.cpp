@@ -219,6 +219,7 @@ void FramePlanes::sort_by_cells() noexcept {
 
 void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
   // Step 5.
+  dropped_ = false;
   const detail::ShapeMemory memory{visited_, list_};
   std::fill(visited_.begin(), visited_.end(), std::uint16_t{0});
   const std::span<std::uint16_t> labels = small_cell_labels();
@@ -231,6 +232,7 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
         detail::plane_shape(cells_, {labels, label, first_[k], cells_of_[k]}, surfaces_[k], options_, min_pixels_,
                             camera, memory, last, solid);
     becomes_[k] = shape == detail::PlaneShape::flat ? k : gone;
+    if (shape != detail::PlaneShape::flat) dropped_ = true;
     if (shape != detail::PlaneShape::bent) continue;
     changed = true;
     for (const std::int32_t cell : list_.first(solid)) {
@@ -301,8 +303,10 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
 Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labels,
                            std::span<FoundPlane> planes, PlanesFound& found) noexcept {
   // Step 7.
-  assign_cells();
-  refit(depth.camera);
+  if (dropped_) {
+    assign_cells();
+    refit(depth.camera);
+  }
   sort_by_cells();
   judge(depth.camera, true);
   detail::PixelLabeller{inverse_depth_,   cells_,           small_cell_labels(), surfaces_.first(count_),
