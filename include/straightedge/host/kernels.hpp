@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "straightedge/canny_row_kernels.hpp"
+#include "straightedge/depth_kernels.hpp"
 #include "straightedge/host/result.hpp"
 
 /// Which of the core's tables of kernels this machine can run. All give the same bits; they differ in time.
@@ -15,6 +16,7 @@ namespace straightedge {
 struct KernelSet {
   std::string_view name;  ///< "plain", "sse2", "avx2" or "avx512"
   const CannyRowKernels* canny_rows = nullptr;
+  const DepthKernels* depth = &plain_depth_kernels;
 };
 
 /// Those that the processor has the instructions for: plain first, the fastest last.
