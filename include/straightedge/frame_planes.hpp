@@ -24,7 +24,8 @@ class PlaneSurfaces;
 
 /// All planes of a depth frame, with a label for each pixel, from the candidates of any search.
 ///
-///  1. Inverse depth of every pixel; its sums over cells of 4 to 32 pixels (depth_cells.hpp).
+///  1. Inverse depth of every pixel; its sums over cells of 4 (or options.cell) to 32 pixels
+///     (depth_cells.hpp).
 ///  2. The search proposes planes.
 ///  3. Every cell takes a plane, coarse to fine: a cell of 32 pixels the plane that fits it, if one does; a
 ///     smaller cell one of the planes around it, if one fits; else the best of all. So a plane that
@@ -69,7 +70,8 @@ class FramePlanes {
   /// 1/z of the last frame; 0 where there is no reading, and on what was found to be round.
   ImageView<const float> inverse_depth() const noexcept { return inverse_depth_; }
   const DepthCells& cells() const noexcept { return cells_; }
-  /// Labels of the cells of a level after the last assignment (before planes were sorted by size).
+  /// Labels of the cells of a level after the last assignment (before planes were sorted by size); none of a
+  /// level whose cells are smaller than options.cell.
   std::span<const std::uint16_t> cell_labels(int level) const noexcept {
     return cell_labels_[static_cast<std::size_t>(level)];
   }
@@ -84,19 +86,27 @@ class FramePlanes {
     size_ = size;
     const std::size_t pixels = DepthCells::cell_count(size);
     inverse_depth_ = {arena.take<float>(pixels).data(), size};
-    cells_.take(arena, size);
-    for (int level = 0; level < DepthCells::levels; ++level) {
+    const int finest = detail::finest_level(options);
+    cells_.take(arena, size, finest);
+    for (int level = finest; level < DepthCells::levels; ++level) {
       cell_labels_[static_cast<std::size_t>(level)] =
           arena.take<std::uint16_t>(DepthCells::cell_count(DepthCells::size_of(size, level)));
     }
-    const std::size_t small_cells = DepthCells::cell_count(DepthCells::size_of(size, 0));
+    const std::size_t small_cells = DepthCells::cell_count(DepthCells::size_of(size, finest));
     visited_ = arena.take<std::uint16_t>(small_cells);
-    list_ =
-        arena.take<std::int32_t>(small_cells + static_cast<std::size_t>(DepthCells::size_of(size, 0).width));
+    list_ = arena.take<std::int32_t>(small_cells);
     candidates_ = arena.take<ProposedPlane>(options.max_planes);
     surfaces_ = arena.take<detail::BentPlane>(options.max_planes);
+    squares_ = arena.take<double>(options.max_planes);
     sums_ = arena.take<detail::QuadraticSums>(options.max_planes);
+    const std::size_t step = DepthSurfaces::step, padded = (options.max_planes + step - 1) / step * step;
+    for (float* DepthSurfaces::*coefficient : {&DepthSurfaces::c, &DepthSurfaces::x, &DepthSurfaces::y,
+                                               &DepthSurfaces::xx, &DepthSurfaces::xy, &DepthSurfaces::yy}) {
+      padded_surfaces_.*coefficient = arena.take<float>(padded).data();
+    }
     contacts_ = arena.take<std::uint32_t>(std::size_t{options.max_planes} * (options.max_planes - 1U) / 2);
+    first_ = arena.take<std::uint32_t>(options.max_planes);
+    cells_of_ = arena.take<std::uint32_t>(options.max_planes);
     moments_ = arena.take<InverseDepthMoments>(options.max_planes);
     becomes_ = arena.take<std::uint16_t>(options.max_planes);
     new_label_ = arena.take<std::uint16_t>(std::size_t{options.max_planes} + 1);
@@ -104,9 +114,13 @@ class FramePlanes {
   Status search_round(const DepthView& depth, const PlaneSearch& search,
                       ImageView<const std::uint16_t> labels, PlanesFound& found) noexcept;
   void assign_cells() noexcept;
+  std::span<std::uint16_t> small_cell_labels() const noexcept {
+    return cell_labels_[static_cast<std::size_t>(cells_.finest())];
+  }
   void refit(const PinholeCamera& camera) noexcept;
   void join(const detail::PlaneSurfaces& fitting) noexcept;
   void keep() noexcept;
+  void sort_by_cells() noexcept;
   void judge(const PinholeCamera& camera, bool last) noexcept;
   void clear_cell(std::int32_t cell) noexcept;
   Status finish(const DepthView& depth, ImageView<std::uint16_t> labels, std::span<FoundPlane> planes,
@@ -123,13 +137,17 @@ class FramePlanes {
   std::span<std::int32_t> list_;
   std::span<ProposedPlane> candidates_;
   std::span<detail::BentPlane> surfaces_;
+  std::span<double> squares_;         // residuals of each plane's cells from its surface
+  DepthSurfaces padded_surfaces_;
   std::span<detail::QuadraticSums> sums_;
-  std::span<std::uint32_t> contacts_;  // touching cells of each pair of planes
+  std::span<std::uint32_t> contacts_;   // touching cells of each pair of planes
+  std::span<std::uint32_t> first_, cells_of_;  // each plane's first cell, and how many it has
   std::span<InverseDepthMoments> moments_;
   /// What becomes of each plane: itself, an earlier one that it is joined into, or gone; in the end their
   /// order.
   std::span<std::uint16_t> becomes_;
   std::span<std::uint16_t> new_label_;  // of each label
+  bool dropped_ = false;
   std::uint32_t count_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "straightedge/depth_kernels.hpp"
 #include "straightedge/image.hpp"
 #include "straightedge/plane_gate.hpp"
 
@@ -23,6 +24,10 @@ struct FramePlanesOptions {
   /// in every test. 1 to 10.
   double slack = 1.4;
   bool reject_curved = true;  ///< flat strips of balls and pillars are no planes
+  /// Side of the smallest cells, pixels: 4, 8 or 16. With larger ones a frame takes less time and memory, and
+  /// faces that are thin or small are lost; see for_large_planes.
+  std::int32_t cell = 4;
+  const DepthKernels* kernels = &plain_depth_kernels;  ///< not null
 };
 
 /// What min_pixels comes to for pictures of a size.
@@ -31,6 +36,17 @@ constexpr std::uint32_t least_pixels(Size size, const FramePlanesOptions& option
   const std::size_t share =
       static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) / 1000;
   return share > 64 ? static_cast<std::uint32_t>(share < 0xFFFFFFF ? share : 0xFFFFFFF) : 64U;
+}
+
+/// Planes that fill at least this share of the picture, (0, 1], in the shortest time: one search, cells of 8
+/// pixels.
+constexpr FramePlanesOptions for_large_planes(Size size, double share = 0.05) noexcept {
+  const double pixels = share * size.width * size.height;
+  FramePlanesOptions options;
+  options.min_pixels = pixels >= 64 && pixels <= 0xFFFFFFF ? static_cast<std::uint32_t>(pixels) : 64U;
+  options.rounds = 1;
+  options.cell = 8;
+  return options;
 }
 
 /// The gate with its noise as `slack` widens it: the one for the search, too.
@@ -44,8 +60,12 @@ namespace detail {
 
 constexpr bool valid(const FramePlanesOptions& o) noexcept {
   return o.gate.valid() && o.max_planes >= 1 && o.max_planes <= 256 && o.rounds >= 1 && o.rounds <= 8 &&
-         o.noise_pixels >= 1 && o.noise_pixels <= 1000 && o.slack >= 1 && o.slack <= 10;
+         o.noise_pixels >= 1 && o.noise_pixels <= 1000 && o.slack >= 1 && o.slack <= 10 &&
+         (o.cell == 4 || o.cell == 8 || o.cell == 16) && o.kernels != nullptr;
 }
+
+/// The level of DepthCells whose cells are the smallest.
+constexpr int finest_level(const FramePlanesOptions& o) noexcept { return o.cell == 4 ? 0 : o.cell == 8 ? 1 : 2; }
 
 }  // namespace detail
 }  // namespace straightedge

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "straightedge/depth_kernels.hpp"
 #include "straightedge/depth_view.hpp"
 #include "straightedge/image.hpp"
 #include "straightedge/plane_fit.hpp"
@@ -57,6 +58,19 @@ struct InverseDepthMoments {
     vq += o.vq;
     qq += o.qq;
   }
+  /// Takes out pixels that are in the sums.
+  constexpr void subtract(const InverseDepthMoments& o) noexcept {
+    n -= o.n;
+    u -= o.u;
+    v -= o.v;
+    uu -= o.uu;
+    uv -= o.uv;
+    vv -= o.vv;
+    q -= o.q;
+    uq -= o.uq;
+    vq -= o.vq;
+    qq -= o.qq;
+  }
   /// The same pixels counted from an origin that lies at (ou, ov) of the present one.
   constexpr InverseDepthMoments seen_from(double ou, double ov) const noexcept {
     InverseDepthMoments m = *this;
@@ -105,6 +119,7 @@ InverseDepthPlane to_inverse_depth(const Plane& plane, const PinholeCamera& came
 /// 1/z of every pixel, 0 where there is no reading: float(1/metres_per_unit) / raw, rounded once. Row by row;
 /// `out` has the size of `depth.raw`, else size_mismatch. invalid_image: a view or camera that makes no
 /// sense. invalid_option: metres_per_unit outside 1e-38 to 1e30, which a float cannot follow.
-Status inverse_depth_image(const DepthView& depth, ImageView<float> out) noexcept;
+Status inverse_depth_image(const DepthView& depth, ImageView<float> out,
+                           const DepthKernels& kernels = plain_depth_kernels) noexcept;
 
 }  // namespace straightedge

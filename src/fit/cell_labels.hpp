@@ -15,7 +15,15 @@ namespace straightedge::detail {
 using CellLabels = std::array<std::span<std::uint16_t>, DepthCells::levels>;
 
 /// Step 3 of frame_planes.hpp: every cell of every level takes one of the planes (its index + 1) or none (0).
-void label_cells(const DepthCells& cells, std::span<const BentPlane> planes, const PlaneGate& gate,
-                 const CellLabels& labels) noexcept;
+struct CellLabeller {
+  const DepthCells& cells;
+  std::span<const BentPlane> planes;
+  const PlaneGate& gate;
+  const DepthKernels& kernels;
+  /// Room for the planes once more, in 32 bits and counted from the picture's middle.
+  const DepthSurfaces& surfaces;
+
+  void label(const CellLabels& labels) const noexcept;
+};
 
 }  // namespace straightedge::detail

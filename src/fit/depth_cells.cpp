@@ -3,9 +3,13 @@
 #include "straightedge/depth_cells.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace straightedge {
 namespace {
+
+constexpr std::int32_t most_counted = 255;
 
 /// Sums of one cell; u and v count from its corner.
 InverseDepthMoments sum_cell(ImageView<const float> inverse_depth, std::int32_t left, std::int32_t top,
@@ -20,42 +24,83 @@ InverseDepthMoments sum_cell(ImageView<const float> inverse_depth, std::int32_t 
   return m;
 }
 
-/// The sums of a whole cell whose pixels all have a reading: what does not depend on q is known.
-bool sum_full_cell(ImageView<const float> inverse_depth, std::int32_t left, std::int32_t top,
-                   InverseDepthMoments& m) noexcept {
-  constexpr double n = 16, first = 24, second = 56, mixed = 36;
-  double q = 0, uq = 0, vq = 0, qq = 0;
-  bool full = true;
-  for (std::int32_t y = 0; y < DepthCells::side; ++y) {
-    const float* row = inverse_depth.row(top + y) + left;
-    const double q0 = static_cast<double>(row[0]), q1 = static_cast<double>(row[1]);
-    const double q2 = static_cast<double>(row[2]), q3 = static_cast<double>(row[3]);
-    full = full && q0 > 0 && q1 > 0 && q2 > 0 && q3 > 0;
-    const double sum = (q0 + q1) + (q2 + q3);
-    q += sum;
-    vq += y * sum;
-    uq += (q1 + 2 * q2) + 3 * q3;
-    qq += (q0 * q0 + q1 * q1) + (q2 * q2 + q3 * q3);
+/// A whole cell whose pixels all have a reading: what does not depend on q is known.
+struct FullCells {
+  double n, first, second, mixed;  // sums of 1, u, uu, uv from the cell's corner
+
+  explicit FullCells(double side) noexcept
+      : n(side * side),
+        first(side * (side * (side - 1) / 2)),
+        second(first * (2 * side - 1) / 3),
+        mixed(side * (side - 1) / 2 * (side * (side - 1) / 2)) {}
+  InverseDepthMoments at(double left, double top, const DepthCellSums& sums) const noexcept {
+    const double u = first + n * left, v = first + n * top;
+    return {n,
+            u,
+            v,
+            second + left * (first + u),
+            mixed + left * first + top * u,
+            second + top * (first + v),
+            sums.q,
+            sums.uq + left * sums.q,
+            sums.vq + top * sums.q,
+            sums.qq};
   }
-  m = {n, first, first, second, mixed, second, q, uq, vq, qq};
-  return full;
-}
+};
+
+/// Cells of one size in a picture.
+struct CellRow {
+  ImageView<const float> inverse_depth;
+  std::int32_t side, top;
+
+  InverseDepthMoments sum(std::int32_t left) const noexcept {
+    const std::int32_t right = std::min(left + side, inverse_depth.width);
+    return sum_cell(inverse_depth, left, top, right, std::min(top + side, inverse_depth.height))
+        .seen_from(-left, -top);
+  }
+  /// Whole cells.
+  void add(std::int32_t first, std::span<const DepthCellSums> sums, InverseDepthMoments* out,
+           std::uint8_t* counts) const noexcept {
+    const std::int32_t full = side * side;
+    const FullCells cells(side);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      const std::int32_t left = (first + static_cast<std::int32_t>(i)) * side;
+      counts[i] = static_cast<std::uint8_t>(std::min(sums[i].n, most_counted));
+      if (sums[i].n == full) {
+        out[i] = cells.at(left, top, sums[i]);
+      } else {
+        out[i] = sums[i].n == 0 ? InverseDepthMoments{} : sum(left);
+      }
+    }
+  }
+};
 
 }  // namespace
 
-void DepthCells::build(ImageView<const float> inverse_depth) noexcept {
+void DepthCells::build(ImageView<const float> inverse_depth, const DepthKernels& kernels) noexcept {
   // Step 1.
-  const Size cells = size(0);
-  InverseDepthMoments* out = level(0).data();
-  for (std::int32_t cy = 0; cy < cells.height; ++cy) {
-    const std::int32_t top = cy * side, bottom = std::min(top + side, inverse_depth.height);
-    for (std::int32_t cx = 0; cx < cells.width; ++cx, ++out) {
-      const std::int32_t left = cx * side, right = std::min(left + side, inverse_depth.width);
-      const bool whole = right - left == side && bottom - top == side;
-      if (!whole || !sum_full_cell(inverse_depth, left, top, *out)) {
-        *out = sum_cell(inverse_depth, left, top, right, bottom);
+  constexpr std::int32_t at_once = 16;
+  std::array<DepthCellSums, at_once> sums;
+  const Size cells = size(finest_);
+  const std::int32_t pixels = side_of(finest_), whole_columns = inverse_depth.width / pixels;
+  InverseDepthMoments* out = level(finest_).data();
+  std::uint8_t* counts = counts_.data();
+  for (std::int32_t y = 0; y < cells.height; ++y, out += cells.width, counts += cells.width) {
+    const CellRow row{inverse_depth, pixels, y * pixels};
+    std::int32_t x = 0;
+    if (row.top + pixels <= inverse_depth.height) {
+      for (; x < whole_columns; x += at_once) {
+        const std::int32_t count = std::min(at_once, whole_columns - x);
+        const float* corner = inverse_depth.row(row.top) + static_cast<std::ptrdiff_t>(x) * pixels;
+        kernels.sum_cells({corner, inverse_depth.stride / static_cast<std::ptrdiff_t>(sizeof(float))}, pixels,
+                          count, sums.data());
+        row.add(x, std::span(sums).first(static_cast<std::size_t>(count)), out + x, counts + x);
       }
-      *out = out->seen_from(-left, -top);
+      x = whole_columns;
+    }
+    for (; x < cells.width; ++x) {
+      out[x] = row.sum(x * pixels);
+      counts[x] = static_cast<std::uint8_t>(std::min(static_cast<std::int32_t>(out[x].n), most_counted));
     }
   }
   sum_up();
@@ -63,18 +108,18 @@ void DepthCells::build(ImageView<const float> inverse_depth) noexcept {
 
 void DepthCells::sum_up() noexcept {
   // Step 2.
-  for (int fine = 0; fine + 1 < levels; ++fine) {
+  for (int fine = finest_; fine + 1 < levels; ++fine) {
     const Size from = size(fine), to = size(fine + 1);
-    const InverseDepthMoments* cells = level(fine).data();
     InverseDepthMoments* out = level(fine + 1).data();
     for (std::int32_t y = 0; y < to.height; ++y) {
+      const InverseDepthMoments* upper = level(fine).data() + static_cast<std::ptrdiff_t>(2 * y) * from.width;
+      const InverseDepthMoments* lower = 2 * y + 1 < from.height ? upper + from.width : nullptr;
       for (std::int32_t x = 0; x < to.width; ++x, ++out) {
-        *out = {};
-        for (std::int32_t j = 2 * y; j < std::min(2 * y + 2, from.height); ++j) {
-          for (std::int32_t i = 2 * x; i < std::min(2 * x + 2, from.width); ++i) {
-            out->add(cells[static_cast<std::ptrdiff_t>(j) * from.width + i]);
-          }
-        }
+        const bool pair = 2 * x + 1 < from.width;
+        *out = upper[2 * x];
+        if (pair) out->add(upper[2 * x + 1]);
+        if (lower != nullptr) out->add(lower[2 * x]);
+        if (lower != nullptr && pair) out->add(lower[2 * x + 1]);
       }
     }
   }

@@ -3,6 +3,8 @@
 #include "straightedge/frame_planes.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "cell_labels.hpp"
 #include "free_cells.hpp"
@@ -33,31 +35,90 @@ std::uint32_t& of_pair(std::span<std::uint32_t> contacts, std::size_t i, std::si
   return i < j ? contacts[j * (j - 1) / 2 + i] : contacts[i * (i - 1) / 2 + j];
 }
 
+/// Whether four labels equal the four from `other` on.
+bool same_four(const std::uint16_t* labels, const std::uint16_t* other) noexcept {
+  return std::equal(labels, labels + 4, other);
+}
+
 /// How many pairs of neighbouring cells belong to planes i and j.
 void count_contacts(Size size, std::span<const std::uint16_t> labels,
                     std::span<std::uint32_t> contacts) noexcept {
   std::fill(contacts.begin(), contacts.end(), 0U);
   const auto count = [&](std::uint16_t a, std::uint16_t b) noexcept {
-    if (a == 0 || b == 0 || a == b) return;
-    ++of_pair(contacts, a - 1U, b - 1U);
+    if (a != b && a != 0 && b != 0) ++of_pair(contacts, a - 1U, b - 1U);
   };
-  const auto width = static_cast<std::size_t>(size.width);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if ((i + 1) % width != 0) count(labels[i], labels[i + 1]);
-    if (i + width < labels.size()) count(labels[i], labels[i + width]);
+  const std::uint16_t* row = labels.data();
+  for (std::int32_t y = 0; y < size.height; ++y, row += size.width) {
+    const std::uint16_t* below = y + 1 < size.height ? row + size.width : row;
+    for (std::int32_t x = 0; x < size.width; ++x) {
+      // Nearly everywhere nothing changes.
+      while (x + 4 < size.width && same_four(row + x, row + x + 1) && same_four(row + x, below + x)) x += 4;
+      if (x + 1 < size.width) count(row[x], row[x + 1]);
+      count(row[x], below[x]);
+    }
   }
 }
 
-std::uint32_t relabel(ImageView<std::uint16_t> labels, std::span<const std::uint16_t> by) noexcept {
-  std::uint32_t labelled = 0;
-  for (std::int32_t y = 0; y < labels.height; ++y) {
-    std::uint16_t* row = labels.row(y);
-    for (std::int32_t x = 0; x < labels.width; ++x) {
-      row[x] = by[row[x]];
-      labelled += row[x] != 0 ? 1U : 0U;
+/// Each plane's first cell, and how many it has.
+void count_cells(std::span<const std::uint16_t> labels, std::span<std::uint32_t> first,
+                 std::span<std::uint32_t> count) noexcept {
+  std::fill(count.begin(), count.end(), 0U);
+  for (std::size_t i = 0; i < labels.size();) {
+    const std::size_t begin = i;
+    const std::uint16_t label = labels[i];
+    while (i < labels.size() && labels[i] == label) ++i;
+    if (label == 0) continue;
+    if (count[label - 1U] == 0) first[label - 1U] = static_cast<std::uint32_t>(begin);
+    count[label - 1U] += static_cast<std::uint32_t>(i - begin);
+  }
+}
+
+void rename(std::span<std::uint16_t> cells, std::span<const std::uint16_t> by) noexcept {
+  for (std::uint16_t& cell : cells) cell = by[cell];
+}
+
+/// Labels that are not in `changed` stay.
+void rename_some(std::span<std::uint16_t> row, std::span<const std::uint16_t> changed,
+                 std::span<const std::uint16_t> by) noexcept {
+  constexpr std::size_t at_once = 128;
+  std::array<std::uint16_t, at_once> before;
+  for (std::size_t x = 0; x < row.size(); x += at_once) {
+    std::uint16_t* labels = row.data() + x;
+    const std::size_t width = std::min(at_once, row.size() - x);
+    std::copy(labels, labels + width, before.begin());
+    for (const std::uint16_t from : changed) {
+      const std::uint16_t to = by[from];
+      for (std::size_t i = 0; i < width; ++i) labels[i] = before[i] == from ? to : labels[i];
     }
   }
-  return labelled;
+}
+
+bool changes_nothing(std::span<const std::uint16_t> by) noexcept {
+  for (std::size_t label = 0; label < by.size(); ++label) {
+    if (by[label] != label) return false;
+  }
+  return true;
+}
+
+/// The same for pixels, where it pays to look only for what changes: little, as a rule.
+void rename(ImageView<std::uint16_t> labels, std::span<const std::uint16_t> by) noexcept {
+  constexpr std::size_t few = 3;
+  std::array<std::uint16_t, few> changed;
+  std::size_t count = 0;
+  for (std::size_t label = 0; label < by.size(); ++label) {
+    if (by[label] == label) continue;
+    if (count < few) changed[count] = static_cast<std::uint16_t>(label);
+    ++count;
+  }
+  if (count == 0) return;
+  for (std::int32_t y = 0; y < labels.height; ++y) {
+    const std::span<std::uint16_t> row(labels.row(y), static_cast<std::size_t>(labels.width));
+    if (count > few) {
+      rename(row, by);
+    } else {
+      rename_some(row, std::span(changed).first(count), by);
+    }
+  }
 }
 
 }  // namespace
@@ -79,15 +140,16 @@ Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
 
 void FramePlanes::assign_cells() noexcept {
   // Step 3.
-  detail::label_cells(cells_, surfaces_.first(count_), options_.gate, cell_labels_);
+  detail::CellLabeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels, padded_surfaces_}.label(
+      cell_labels_);
 }
 
 void FramePlanes::refit(const PinholeCamera& camera) noexcept {
   // Step 4.
   const detail::PlaneSurfaces fitting(size_, camera, options_);
-  fitting.sum(cells_, cell_labels_[0], sums_.first(count_));
+  fitting.sum(cells_, small_cell_labels(), sums_.first(count_));
   for (std::uint16_t k = 0; k < count_; ++k) {
-    const bool stays = sums_[k].n >= min_pixels_ / 2.0 && fitting.fit(sums_[k], surfaces_[k]);
+    const bool stays = sums_[k].n >= min_pixels_ / 2.0 && fitting.fit(sums_[k], surfaces_[k], squares_[k]);
     becomes_[k] = stays ? k : gone;
   }
   join(fitting);
@@ -95,14 +157,15 @@ void FramePlanes::refit(const PinholeCamera& camera) noexcept {
 }
 
 void FramePlanes::join(const detail::PlaneSurfaces& fitting) noexcept {
-  count_contacts(cells_.size(0), cell_labels_[0], contacts_);
+  count_contacts(cells_.size(cells_.finest()), small_cell_labels(), contacts_);
   for (std::uint16_t i = 0; i < count_; ++i) {
     if (becomes_[i] != i) continue;
     for (std::uint16_t j = i + 1U; j < count_; ++j) {
-      detail::BentPlane both;
-      const std::uint32_t touching = of_pair(contacts_, i, j);
-      if (becomes_[j] != j || !fitting.are_one(sums_[i], sums_[j], touching, both)) continue;
-      surfaces_[i] = both;
+      if (becomes_[j] != j) continue;
+      if (!fitting.are_one(sums_[i], sums_[j], squares_[i] + squares_[j], of_pair(contacts_, i, j),
+                           surfaces_[i], squares_[i])) {
+        continue;
+      }
       sums_[i].add(sums_[j]);
       for (std::size_t k = 0; k < count_; ++k) {
         if (k != i && k != j) of_pair(contacts_, i, k) += of_pair(contacts_, j, k);
@@ -118,11 +181,13 @@ void FramePlanes::join(const detail::PlaneSurfaces& fitting) noexcept {
 void FramePlanes::keep() noexcept {
   const std::span<std::uint16_t> label = new_label_;
   std::fill(label.begin(), label.end(), std::uint16_t{0});
+  const std::uint32_t before = count_;
   std::uint32_t kept = 0;
   for (std::uint32_t k = 0; k < count_; ++k) {
     if (becomes_[k] == k) {
       candidates_[kept] = candidates_[k];
       surfaces_[kept] = surfaces_[k];
+      squares_[kept] = squares_[k];
       sums_[kept] = sums_[k];
       label[k + 1] = static_cast<std::uint16_t>(++kept);
     } else if (becomes_[k] != gone) {
@@ -130,24 +195,48 @@ void FramePlanes::keep() noexcept {
     }
   }
   count_ = kept;
-  for (std::uint16_t& cell : cell_labels_[0]) cell = label[cell];
+  const auto used = label.first(before + 1U);
+  if (!changes_nothing(used)) rename(small_cell_labels(), used);
+}
+
+void FramePlanes::sort_by_cells() noexcept {
+  // So that the order of the pixels, which is not known before the last step, hardly ever differs.
+  const std::span<std::uint16_t> before = becomes_.first(count_);
+  for (std::uint16_t i = 0; i < count_; ++i) {
+    before[i] = i;
+    for (std::size_t k = i; k > 0 && sums_[k - 1].n < sums_[k].n; --k) {
+      std::swap(sums_[k - 1], sums_[k]);
+      std::swap(surfaces_[k - 1], surfaces_[k]);
+      std::swap(candidates_[k - 1], candidates_[k]);
+      std::swap(before[k - 1], before[k]);
+    }
+  }
+  new_label_[0] = 0;
+  for (std::uint16_t i = 0; i < count_; ++i) new_label_[before[i] + 1U] = static_cast<std::uint16_t>(i + 1);
+  const auto used = new_label_.first(count_ + 1U);
+  if (!changes_nothing(used)) rename(small_cell_labels(), used);
 }
 
 void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
   // Step 5.
+  dropped_ = false;
   const detail::ShapeMemory memory{visited_, list_};
   std::fill(visited_.begin(), visited_.end(), std::uint16_t{0});
+  const std::span<std::uint16_t> labels = small_cell_labels();
+  count_cells(labels, first_.first(count_), cells_of_.first(count_));
   bool changed = false;
   for (std::uint16_t k = 0; k < count_; ++k) {
     std::size_t solid = 0;
     const auto label = static_cast<std::uint16_t>(k + 1);
-    const detail::PlaneShape shape = detail::plane_shape(cells_, cell_labels_[0], label, surfaces_[k],
-                                                         options_, min_pixels_, camera, memory, last, solid);
+    const detail::PlaneShape shape =
+        detail::plane_shape(cells_, {labels, label, first_[k], cells_of_[k]}, surfaces_[k], options_, min_pixels_,
+                            camera, memory, last, solid);
     becomes_[k] = shape == detail::PlaneShape::flat ? k : gone;
+    if (shape != detail::PlaneShape::flat) dropped_ = true;
     if (shape != detail::PlaneShape::bent) continue;
     changed = true;
     for (const std::int32_t cell : list_.first(solid)) {
-      const std::uint16_t owner = cell_labels_[0][static_cast<std::size_t>(cell)];
+      const std::uint16_t owner = labels[static_cast<std::size_t>(cell)];
       if (owner == label || owner == 0) clear_cell(cell);
     }
   }
@@ -156,11 +245,11 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
 }
 
 void FramePlanes::clear_cell(std::int32_t cell) noexcept {
-  constexpr std::int32_t side = DepthCells::side;
-  const std::int32_t width = cells_.size(0).width;
+  const std::int32_t side = options_.cell, width = cells_.size(cells_.finest()).width;
   const std::int32_t left = cell % width * side, top = cell / width * side;
-  cells_.level(0)[static_cast<std::size_t>(cell)] = {};
-  cell_labels_[0][static_cast<std::size_t>(cell)] = 0;
+  cells_.level(cells_.finest())[static_cast<std::size_t>(cell)] = {};
+  cells_.counts()[static_cast<std::size_t>(cell)] = 0;
+  small_cell_labels()[static_cast<std::size_t>(cell)] = 0;
   for (std::int32_t y = top; y < std::min(top + side, size_.height); ++y) {
     std::fill(inverse_depth_.row(y) + left, inverse_depth_.row(y) + std::min(left + side, size_.width), 0.0F);
   }
@@ -193,17 +282,19 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   found = {};
   count_ = 0;
   // Step 1.
-  const Status read = inverse_depth_image(depth, inverse_depth_);
+  const Status read = inverse_depth_image(depth, inverse_depth_, *options_.kernels);
   if (read != Status::ok) return read;
-  cells_.build(inverse_depth_);
+  cells_.build(inverse_depth_, *options_.kernels);
   double readings = 0;
   for (const InverseDepthMoments& cell : cells_.level(DepthCells::levels - 1)) readings += cell.n;
   found.readings = static_cast<std::uint32_t>(readings);
   // Steps 2 to 6.
   Status status = search_round(depth, search, {}, found);
   for (std::uint32_t round = 1; status == Status::ok && round < options_.rounds; ++round) {
-    const std::uint32_t middles = detail::free_cells(cells_, cell_labels_[0], visited_, labels);
-    if (middles * DepthCells::side * DepthCells::side < min_pixels_) break;
+    const std::uint32_t middles = detail::free_cells(cells_, small_cell_labels(), visited_);
+    const std::int32_t side = options_.cell;
+    if (middles * static_cast<std::uint32_t>(side * side) < min_pixels_) break;
+    detail::mark_pixels(cells_.size(cells_.finest()), side, visited_, labels);
     status = search_round(depth, search, labels, found);
   }
   return status != Status::ok ? status : finish(depth, labels, planes, found);
@@ -212,11 +303,15 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
 Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labels,
                            std::span<FoundPlane> planes, PlanesFound& found) noexcept {
   // Step 7.
-  assign_cells();
-  refit(depth.camera);
+  if (dropped_) {
+    assign_cells();
+    refit(depth.camera);
+  }
+  sort_by_cells();
   judge(depth.camera, true);
-  detail::label_pixels(inverse_depth_, cells_, cell_labels_[0], surfaces_.first(count_), options_.gate,
-                       labels, moments_, list_);
+  detail::PixelLabeller{inverse_depth_,   cells_,           small_cell_labels(), surfaces_.first(count_),
+                        options_.gate, *options_.kernels}
+      .label(labels, moments_, list_);
   // Step 8.
   const std::span<std::uint16_t> order = becomes_;
   sort_by_pixels(moments_.first(count_), order.first(count_));
@@ -244,8 +339,9 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
     plane.score = candidate.score;
     planes[found.planes++] = plane;
     new_label_[order[i] + 1U] = static_cast<std::uint16_t>(found.planes);
+    found.labelled += plane.inliers;
   }
-  found.labelled = relabel(labels, new_label_);
+  rename(labels, new_label_.first(count_ + 1U));
   return status;
 }
 

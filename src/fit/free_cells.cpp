@@ -7,22 +7,21 @@
 namespace straightedge::detail {
 namespace {
 
-constexpr std::int32_t side = DepthCells::side;
-constexpr double least_readings = side * side / 2.0;
 constexpr std::uint16_t taken = 0xFFFF;
 constexpr std::int32_t reach = 2;
 
 struct Grid {
-  const DepthCells& cells;
   std::span<const std::uint16_t> labels;
   std::span<std::uint16_t> marks;
+  std::span<const std::uint8_t> counts;
+  std::int32_t least_readings;
   Size size;
 
   std::size_t place(std::int32_t x, std::int32_t y) const noexcept {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
   }
   bool is_free(std::int32_t x, std::int32_t y) const noexcept {
-    return labels[place(x, y)] == 0 && cells.level(0)[place(x, y)].n >= least_readings;
+    return labels[place(x, y)] == 0 && counts[place(x, y)] >= least_readings;
   }
   bool is_middle(std::int32_t x, std::int32_t y) const noexcept {
     return x > 0 && y > 0 && x + 1 < size.width && y + 1 < size.height && is_free(x, y) &&
@@ -41,9 +40,11 @@ struct Grid {
 }  // namespace
 
 std::uint32_t free_cells(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
-                         std::span<std::uint16_t> marks, ImageView<std::uint16_t> labels) noexcept {
+                         std::span<std::uint16_t> marks) noexcept {
   std::fill(marks.begin(), marks.end(), taken);
-  const Grid grid{cells, cell_labels, marks, cells.size(0)};
+  const int finest = cells.finest();
+  const std::int32_t side = DepthCells::side_of(finest);
+  const Grid grid{cell_labels, marks, cells.counts(), side * side / 2, cells.size(finest)};
   std::uint32_t middles = 0;
   for (std::int32_t y = 0; y < grid.size.height; ++y) {
     for (std::int32_t x = 0; x < grid.size.width; ++x) {
@@ -52,12 +53,22 @@ std::uint32_t free_cells(const DepthCells& cells, std::span<const std::uint16_t>
       grid.mark_around(x, y);
     }
   }
+  return middles;
+}
+
+void mark_pixels(Size cells, std::int32_t side, std::span<const std::uint16_t> marks,
+                 ImageView<std::uint16_t> labels) noexcept {
   for (std::int32_t y = 0; y < labels.height; ++y) {
     std::uint16_t* row = labels.row(y);
-    const std::uint16_t* mark = marks.data() + grid.place(0, y / side);
-    for (std::int32_t x = 0; x < labels.width; ++x) row[x] = mark[x / side];
+    if (y % side != 0) {
+      std::copy(labels.row(y - 1), labels.row(y - 1) + labels.width, row);
+      continue;
+    }
+    const std::uint16_t* mark = marks.data() + static_cast<std::ptrdiff_t>(y / side) * cells.width;
+    for (std::int32_t left = 0; left < labels.width; left += side, ++mark) {
+      std::fill(row + left, row + std::min(left + side, labels.width), *mark);
+    }
   }
-  return middles;
 }
 
 }  // namespace straightedge::detail

@@ -102,7 +102,8 @@ InverseDepthPlane to_inverse_depth(const Plane& plane, const PinholeCamera& came
   return {a, b, m.z - a * camera.cx - b * camera.cy};
 }
 
-Status inverse_depth_image(const DepthView& depth, ImageView<float> out) noexcept {
+Status inverse_depth_image(const DepthView& depth, ImageView<float> out,
+                           const DepthKernels& kernels) noexcept {
   if (!depth.valid() || !out.valid()) return Status::invalid_image;
   if (out.size() != depth.raw.size()) return Status::size_mismatch;
   const double units_per_metre = 1 / depth.metres_per_unit;
@@ -110,14 +111,7 @@ Status inverse_depth_image(const DepthView& depth, ImageView<float> out) noexcep
   if (!(units_per_metre > 1e-30 && units_per_metre < 1e38)) return Status::invalid_option;
   const auto scale = static_cast<float>(units_per_metre);
   for (std::int32_t row = 0; row < depth.raw.height; ++row) {
-    const std::uint16_t* raw = depth.raw.row(row);
-    float* inverse = out.row(row);
-    for (std::int32_t column = 0; column < depth.raw.width; ++column) {
-      // 0/1 where there is no reading: a division without a branch around it goes four at a time.
-      const std::int32_t units = raw[column];
-      const std::int32_t missing = units == 0 ? 1 : 0;
-      inverse[column] = scale * static_cast<float>(1 - missing) / static_cast<float>(units + missing);
-    }
+    kernels.invert(depth.raw.row(row), depth.raw.width, scale, out.row(row));
   }
   return Status::ok;
 }

@@ -6,17 +6,24 @@
 #include <span>
 
 #include "straightedge/depth_cells.hpp"
+#include "straightedge/depth_kernels.hpp"
 #include "straightedge/detail/quadratic_surface.hpp"
 #include "straightedge/plane_gate.hpp"
 
 namespace straightedge::detail {
 
-/// Step 7 of frame_planes.hpp: a label for every pixel from those of the cells of level 0; sums of each
-/// label's pixels on the way. `scratch`: one entry
-/// a cell and one more a column of cells.
-void label_pixels(ImageView<const float> inverse_depth, const DepthCells& cells,
-                  std::span<const std::uint16_t> cell_labels, std::span<const BentPlane> planes,
-                  const PlaneGate& gate, ImageView<std::uint16_t> labels,
-                  std::span<InverseDepthMoments> moments, std::span<std::int32_t> scratch) noexcept;
+/// Step 7 of frame_planes.hpp: a label for every pixel from those of the smallest cells.
+struct PixelLabeller {
+  ImageView<const float> inverse_depth;
+  const DepthCells& cells;
+  std::span<const std::uint16_t> cell_labels;
+  std::span<const BentPlane> planes;
+  const PlaneGate& gate;
+  const DepthKernels& kernels;
+
+  /// `moments`: sums of each label's pixels on the way. `scratch`: one entry a cell.
+  void label(ImageView<std::uint16_t> labels, std::span<InverseDepthMoments> moments,
+             std::span<std::int32_t> scratch) const noexcept;
+};
 
 }  // namespace straightedge::detail

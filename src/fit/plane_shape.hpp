@@ -17,13 +17,21 @@ enum class PlaneShape : std::uint8_t {
   bent,    ///< a strip of a ball, a pillar, a curtain
 };
 
-/// Memory for `plane_shape`: one entry for each cell of level 0.
+/// Memory for `plane_shape`: one entry for each smallest cell.
 struct ShapeMemory {
   std::span<std::uint16_t> visited;  ///< all zero before the first plane
   std::span<std::int32_t> list;
 };
 
-/// Step 5 of frame_planes.hpp: judges plane `label`, whose cells of level 0 carry it in `cell_labels`.
+/// The labels of the smallest cells, and the plane that is looked at: how many carry its label, and the first
+/// of them.
+struct LabelledCells {
+  std::span<std::uint16_t> labels;
+  std::uint16_t label;
+  std::size_t first, count;
+};
+
+/// Step 5 of frame_planes.hpp: judges one plane.
 /// `solid` is how many entries of the list are the cells of its solid pieces afterwards.
 ///
 /// 1. Solid pieces: from the plane's cells, flood over touching cells whose readings lie on the plane,
@@ -33,9 +41,8 @@ struct ShapeMemory {
 /// 3. Bent: least squares of 1, u, v, uu, uv, vv to the means of the solid cells, by Cholesky's
 /// decomposition; the last
 ///    three terms' share is the bend.
-PlaneShape plane_shape(const DepthCells& cells, std::span<std::uint16_t> cell_labels, std::uint16_t label,
-                       const BentPlane& surface, const FramePlanesOptions& options, double min_pixels,
-                       const PinholeCamera& camera, const ShapeMemory& memory, bool drop_crumbs,
-                       std::size_t& solid) noexcept;
+PlaneShape plane_shape(const DepthCells& cells, const LabelledCells& plane, const BentPlane& surface,
+                       const FramePlanesOptions& options, double min_pixels, const PinholeCamera& camera,
+                       const ShapeMemory& memory, bool drop_crumbs, std::size_t& solid) noexcept;
 
 }  // namespace straightedge::detail

@@ -22,6 +22,45 @@ constexpr double contacts_of_mixed = 0.25;
 // picture sags by some three deviations of its noise then.
 constexpr double usual_radius_m = 40;
 
+constexpr std::uint16_t mixed = 0xFFFF;
+
+/// Cells [x, right) x [y, bottom).
+struct CellBox {
+  std::int32_t x, y;
+  Size end;
+};
+
+template <class Visit>
+void for_cells(const CellBox& box, Visit&& visit) noexcept {
+  for (std::int32_t y = box.y; y < box.end.height; ++y) {
+    for (std::int32_t x = box.x; x < box.end.width; ++x) visit(x, y);
+  }
+}
+
+/// The cells that a cell `doublings` levels above is made of.
+CellBox part(std::int32_t x, std::int32_t y, int doublings, Size size) noexcept {
+  const std::int32_t side = 1 << doublings;
+  return {x * side, y * side, {std::min((x + 1) * side, size.width), std::min((y + 1) * side, size.height)}};
+}
+
+struct Squares {
+  Size size;
+  std::span<const std::uint16_t> labels;
+
+  /// The label of all cells that a cell `doublings` levels above is made of, or `mixed`.
+  std::uint16_t common(std::int32_t x, std::int32_t y, int doublings) const noexcept {
+    const CellBox box = part(x, y, doublings, size);
+    const std::uint16_t* row = labels.data() + static_cast<std::ptrdiff_t>(box.y) * size.width;
+    const std::uint16_t first = row[box.x];
+    for (std::int32_t j = box.y; j < box.end.height; ++j, row += size.width) {
+      for (std::int32_t i = box.x; i < box.end.width; ++i) {
+        if (row[i] != first) return mixed;
+      }
+    }
+    return first;
+  }
+};
+
 }  // namespace
 
 PlaneSurfaces::PlaneSurfaces(Size picture, const PinholeCamera& camera,
@@ -39,65 +78,59 @@ void PlaneSurfaces::add(const InverseDepthMoments& cell, QuadraticSums& sums) co
 void PlaneSurfaces::sum(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
                         std::span<QuadraticSums> sums) const noexcept {
   std::fill(sums.begin(), sums.end(), QuadraticSums{});
-  const Size fine = cells.size(0), coarse = cells.size(1);
-  for (std::int32_t y = 0; y < coarse.height; ++y) {
-    for (std::int32_t x = 0; x < coarse.width; ++x) {
-      // Four cells of one plane count as one: there are far fewer of those.
-      std::array<std::size_t, 4> place{};
-      std::size_t count = 0;
-      for (std::int32_t j = 2 * y; j < std::min(2 * y + 2, fine.height); ++j) {
-        for (std::int32_t i = 2 * x; i < std::min(2 * x + 2, fine.width); ++i) {
-          place[count++] = static_cast<std::size_t>(j) * static_cast<std::size_t>(fine.width) +
-                           static_cast<std::size_t>(i);
-        }
-      }
-      const std::uint16_t first = cell_labels[place[0]];
-      bool same = true;
-      for (std::size_t k = 1; k < count; ++k) same = same && cell_labels[place[k]] == first;
-      if (same && first != 0) {
-        add(cells.level(1)[static_cast<std::size_t>(y) * static_cast<std::size_t>(coarse.width) +
-                           static_cast<std::size_t>(x)],
-            sums[first - 1U]);
-        continue;
-      }
-      for (std::size_t k = 0; k < count; ++k) {
-        const std::uint16_t label = cell_labels[place[k]];
-        if (label != 0) add(cells.level(0)[place[k]], sums[label - 1U]);
-      }
-    }
-  }
+  const int finest = cells.finest(), coarsest = std::min(finest + 2, DepthCells::levels - 1);
+  const auto add_cell = [&](int level, std::int32_t x, std::int32_t y, std::uint16_t label) noexcept {
+    const auto width = static_cast<std::size_t>(cells.size(level).width);
+    if (label == 0) return;
+    add(cells.level(level)[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)], sums[label - 1U]);
+  };
+  const Squares squares{cells.size(finest), cell_labels};
+  // The cells of a larger one that are all of one plane count as one: there are far fewer of those.
+  for_cells({0, 0, cells.size(coarsest)}, [&](std::int32_t X, std::int32_t Y) noexcept {
+    const std::uint16_t label = squares.common(X, Y, coarsest - finest);
+    if (label != mixed) return add_cell(coarsest, X, Y, label);
+    const int twice = coarsest - finest - 1;
+    for_cells(part(X, Y, twice, cells.size(finest + 1)), [&](std::int32_t x, std::int32_t y) noexcept {
+      const std::uint16_t of_four = squares.common(x, y, 1);
+      if (of_four != mixed) return add_cell(finest + 1, x, y, of_four);
+      for_cells(part(x, y, 1, cells.size(finest)), [&](std::int32_t i, std::int32_t j) noexcept {
+        add_cell(finest, i, j, squares.common(i, j, 0));
+      });
+    });
+  });
 }
 
-bool PlaneSurfaces::fit(const QuadraticSums& sums, QuadraticFit& fit) const noexcept {
+bool PlaneSurfaces::fit(const QuadraticSums& sums, BentPlane& surface, double& squares) const noexcept {
   if (!(sums.n > 0)) return false;
   const double noise = options_.gate.inverse_noise(sums.right[0] / sums.n);
   // A radius r is a second derivative 1/(r f²) per pixel², twice the coefficient per scaled unit².
   const double usual = scale_ * scale_ / (2 * usual_radius_m * focal_square_);
-  return fit_quadratic(sums, noise * noise * options_.noise_pixels / (usual * usual), fit);
-}
-
-bool PlaneSurfaces::fit(const QuadraticSums& sums, BentPlane& surface) const noexcept {
   QuadraticFit found;
-  if (!fit(sums, found)) return false;
+  if (!fit_quadratic(sums, noise * noise * options_.noise_pixels / (usual * usual), found)) return false;
   const auto& c = found.coefficients;
   const double a = c[1] / scale_, b = c[2] / scale_, square = scale_ * scale_;
   surface = {{a, b, c[0] - a * u0_ - b * v0_}, c[3] / square, c[4] / square, c[5] / square, u0_, v0_};
+  squares = found.squares;
   return true;
 }
 
-bool PlaneSurfaces::are_one(const QuadraticSums& a, const QuadraticSums& b, std::uint32_t touching,
-                            BentPlane& surface) const noexcept {
+bool PlaneSurfaces::are_one(const QuadraticSums& a, const QuadraticSums& b, double squares_apart,
+                            std::uint32_t touching, BentPlane& surface,
+                            double& squares) const noexcept {
   QuadraticSums both = a;
   both.add(b);
-  QuadraticFit fit_a, fit_b, fit_both;
-  if (!fit(a, fit_a) || !fit(b, fit_b) || !fit(both, fit_both)) return false;
+  BentPlane common;
+  double squares_of_both = 0;
+  if (!fit(both, common, squares_of_both)) return false;
   const double noise = options_.gate.inverse_noise(both.right[0] / both.n);
-  const double cost = (fit_both.squares - fit_a.squares - fit_b.squares) / (noise * noise);
-  const double cells = std::min(a.n, b.n) / (DepthCells::side * DepthCells::side);
-  const bool mixed = touching >= contacts_of_mixed * cells;
-  const double floor = mixed ? floor_when_mixed : touching > 0 ? floor_when_touching : floor_when_apart;
-  return cost < chi_square_gate * options_.noise_pixels + floor * floor * a.n * b.n / both.n &&
-         fit(both, surface);
+  const double cost = (squares_of_both - squares_apart) / (noise * noise);
+  const double cells = std::min(a.n, b.n) / (options_.cell * options_.cell);
+  const bool mixed_up = touching >= contacts_of_mixed * cells;
+  const double floor = mixed_up ? floor_when_mixed : touching > 0 ? floor_when_touching : floor_when_apart;
+  if (!(cost < chi_square_gate * options_.noise_pixels + floor * floor * a.n * b.n / both.n)) return false;
+  surface = common;
+  squares = squares_of_both;
+  return true;
 }
 
 }  // namespace straightedge::detail

@@ -20,19 +20,19 @@ class PlaneSurfaces {
  public:
   PlaneSurfaces(Size picture, const PinholeCamera& camera, const FramePlanesOptions& options) noexcept;
 
-  /// Sums of each plane's own cells of level 0.
+  /// Sums of each plane's own smallest cells.
   void sum(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
            std::span<QuadraticSums> sums) const noexcept;
-  /// The surface of the sums. False when there are too few cells.
-  bool fit(const QuadraticSums& sums, BentPlane& surface) const noexcept;
-  /// Whether two planes are one: what it costs, in squared residuals, that both have one surface instead of
-  /// their own. `touching`: pairs of neighbouring cells, one of each plane.
-  bool are_one(const QuadraticSums& a, const QuadraticSums& b, std::uint32_t touching,
-               BentPlane& surface) const noexcept;
+  /// The surface of the sums, and its squared residuals. False when there are too few cells.
+  bool fit(const QuadraticSums& sums, BentPlane& surface, double& squares) const noexcept;
+  /// Whether two planes, each with its own surface, are one: what it costs, in squared residuals, that both
+  /// have one instead. `touching`: pairs of neighbouring cells, one of each plane. The common surface and its
+  /// squares are written if they are.
+  bool are_one(const QuadraticSums& a, const QuadraticSums& b, double squares_apart, std::uint32_t touching,
+               BentPlane& surface, double& squares) const noexcept;
 
  private:
   void add(const InverseDepthMoments& cell, QuadraticSums& sums) const noexcept;
-  bool fit(const QuadraticSums& sums, QuadraticFit& fit) const noexcept;
 
   double u0_, v0_, scale_;  // samples are taken about the picture's middle, in halves of its width
   double focal_square_;

@@ -34,13 +34,17 @@ bool decompose(std::array<double, terms*(terms + 1) / 2>& m) noexcept {
 }  // namespace
 
 void QuadraticSums::add(double x, double y, double q, double weight) noexcept {
-  const std::array<double, terms> f{1, x, y, x * x, x * y, y * y};
-  for (std::size_t i = 0; i < terms; ++i) {
-    const double weighted = weight * f[i];
-    for (std::size_t j = 0; j <= i; ++j) normal[place(i, j)] += weighted * f[j];
-    right[i] += weighted * q;
-  }
-  qq += weight * q * q;
+  const double xx = x * x, xy = x * y, yy = y * y;
+  const double wx = weight * x, wy = weight * y, wxx = weight * xx, wxy = weight * xy, wyy = weight * yy;
+  const double wq = weight * q;
+  // The lower triangle of the products of 1, x, y, xx, xy, yy.
+  const std::array<double, terms*(terms + 1) / 2> products{
+      weight,   wx,       wxx,      wy,       wxy,      wyy,      wxx,      wxx * x,  wxx * y,  wxx * xx, wxy,
+      wxy * x,  wxy * y,  wxy * xx, wxy * xy, wyy,      wyy * x,  wyy * y,  wyy * xx, wyy * xy, wyy * yy};
+  const std::array<double, terms> with_q{wq, wq * x, wq * y, wq * xx, wq * xy, wq * yy};
+  for (std::size_t i = 0; i < products.size(); ++i) normal[i] += products[i];
+  for (std::size_t i = 0; i < terms; ++i) right[i] += with_q[i];
+  qq += wq * q;
   n += weight;
 }
 

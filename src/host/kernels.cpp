@@ -19,11 +19,13 @@ constexpr KernelSet all_sets[] = {
     {.name = "avx2",
      .canny_rows = &avx2_canny_row_kernels,
      .ransac = &avx2_ransac_kernels,
-     .hough = &avx2_hough_kernels},
+     .hough = &avx2_hough_kernels,
+     .depth = &avx2_depth_kernels},
     {.name = "avx512",
      .canny_rows = &avx512_canny_row_kernels,
      .ransac = &avx512_ransac_kernels,
-     .hough = &avx512_hough_kernels},
+     .hough = &avx512_hough_kernels,
+     .depth = &avx512_depth_kernels},
 #endif
 };
 

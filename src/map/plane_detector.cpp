@@ -15,25 +15,27 @@ Failure refused(Status status) {
 
 }  // namespace
 
-Result<PlaneDetector> PlaneDetector::create(Size size, const PlaneDetectorOptions& options) {
+Result<PlaneDetector> PlaneDetector::create(Size size, const PlaneDetectorOptions& options,
+                                            const KernelSet& kernels) {
   PlaneDetector made;
   made.options_ = options;
   made.options_.ransac = for_frame(options.ransac, size, options.frame);
   made.options_.hough = for_frame(options.hough, size, options.frame);
+  made.options_.frame.kernels = kernels.depth;
   made.frame_ = std::make_unique<FramePlanes>();
   made.ransac_ = std::make_unique<RansacSearch>();
   made.hough_ = std::make_unique<HoughPatchSearch>();
   const bool ransac = options.method == PlaneMethod::ransac;
-  const std::size_t frame_bytes = FramePlanes::workspace_bytes(size, options.frame);
+  const std::size_t frame_bytes = FramePlanes::workspace_bytes(size, made.options_.frame);
   const std::size_t search_bytes = ransac ? RansacSearch::workspace_bytes(size, made.options_.ransac)
                                           : HoughPatchSearch::workspace_bytes(size, made.options_.hough);
   if (search_bytes == 0) return refused(Status::invalid_option);
   // Options that are out of range must not decide how much memory is taken.
-  const Status checked = made.frame_->prepare(size, options.frame, {});
+  const Status checked = made.frame_->prepare(size, made.options_.frame, {});
   if (checked != Status::workspace_too_small) return refused(checked);
   made.memory_.resize(frame_bytes + search_bytes);
   const std::span<std::byte> bytes = made.memory_;
-  const Status frame = made.frame_->prepare(size, options.frame, bytes.first(frame_bytes));
+  const Status frame = made.frame_->prepare(size, made.options_.frame, bytes.first(frame_bytes));
   if (frame != Status::ok) return refused(frame);
   const Status search =
       ransac ? RansacSearch::prepare(*made.ransac_, size, made.options_.ransac, bytes.subspan(frame_bytes))
@@ -56,8 +58,9 @@ Result<DetectedPlanes> PlaneDetector::detect(const DepthView& depth) {
   return result;
 }
 
-Result<DetectedPlanes> detect_planes(const DepthView& depth, const PlaneDetectorOptions& options) {
-  auto detector = PlaneDetector::create(depth.raw.size(), options);
+Result<DetectedPlanes> detect_planes(const DepthView& depth, const PlaneDetectorOptions& options,
+                                     const KernelSet& kernels) {
+  auto detector = PlaneDetector::create(depth.raw.size(), options, kernels);
   if (!detector) return detector.failure();
   return detector->detect(depth);
 }

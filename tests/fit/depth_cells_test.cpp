@@ -17,12 +17,12 @@ using namespace straightedge;
 namespace {
 
 struct Built {
-  explicit Built(Size size) {
+  explicit Built(Size size, int finest = 0) {
     Arena counting = Arena::measure();
-    cells.take(counting, size);
+    cells.take(counting, size, finest);
     bytes.resize(counting.used());
     Arena arena(bytes);
-    cells.take(arena, size);
+    cells.take(arena, size, finest);
     REQUIRE(!arena.failed());
   }
   std::vector<std::byte> bytes;
@@ -58,7 +58,7 @@ bool same(const InverseDepthMoments& a, const InverseDepthMoments& b) {
 
 int wrong_cells(const DepthCells& cells, ImageView<const float> image) {
   int wrong = 0;
-  for (int level = 0; level < DepthCells::levels; ++level) {
+  for (int level = cells.finest(); level < DepthCells::levels; ++level) {
     const int side = DepthCells::side << level;
     const Size size = cells.size(level);
     for (int y = 0; y < size.height; ++y) {
@@ -84,6 +84,26 @@ TEST_CASE("cells of every level hold the sums over their pixels, cut off at the 
       INFO("width " << width << " height " << size.height << " holes " << holes);
       CHECK(wrong_cells(built.cells, image.view()) == 0);
       CHECK(image.guards_intact());
+    }
+  }
+}
+
+TEST_CASE("levels below the finest have no cells, and those above the same sums") {
+  for (int finest = 0; finest <= 2; ++finest) {
+    for (int width = 1; width <= 140; width += 9) {
+      const Size size{width, 1 + (width * 5) % 75};
+      Pcg32 random(static_cast<std::uint64_t>(width));
+      const auto image = random_depth(size, width % 2 == 0 ? 0 : 0.3, random);
+      Built built(size, finest);
+      built.cells.build(image.view());
+      INFO("finest " << finest << " width " << width);
+      CHECK(wrong_cells(built.cells, image.view()) == 0);
+      for (int level = 0; level < finest; ++level) CHECK(built.cells.level(level).empty());
+      const auto sums = built.cells.level(finest);
+      REQUIRE(built.cells.counts().size() == sums.size());
+      for (std::size_t i = 0; i < sums.size(); ++i) {
+        CHECK(built.cells.counts()[i] == std::min(sums[i].n, 255.0));
+      }
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "straightedge/canny_row_kernels.hpp"
+#include "straightedge/depth_kernels.hpp"
 #include "straightedge/host/result.hpp"
 #include "straightedge/hough_kernels.hpp"
 #include "straightedge/ransac_kernels.hpp"
@@ -19,6 +20,7 @@ struct KernelSet {
   const CannyRowKernels* canny_rows = &plain_canny_row_kernels;
   const RansacKernels* ransac = &plain_ransac_kernels;
   const HoughKernels* hough = &plain_hough_kernels;
+  const DepthKernels* depth = &plain_depth_kernels;
 };
 
 /// Those that the processor has the instructions for: plain first, the fastest last.

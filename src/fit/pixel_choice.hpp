@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "labels_around.hpp"
+#include "pixel_labels.hpp"
+
+namespace straightedge::detail {
+
+template <class T>
+std::ptrdiff_t elements_apart(const ImageView<T>& view) noexcept {
+  return view.stride / static_cast<std::ptrdiff_t>(sizeof(T));
+}
+
+/// Step 7 of frame_planes.hpp where several planes meet: every pixel takes the nearest of those around its
+/// cell.
+class PixelChoice {
+ public:
+  PixelChoice(const PixelLabeller& work, ImageView<std::uint16_t> labels,
+              std::span<InverseDepthMoments> moments) noexcept;
+
+  /// Labels the pixels of smallest cell (x, y), and adds them to their planes' sums.
+  void label_cell(std::int32_t x, std::int32_t y) noexcept;
+
+ private:
+  void look(std::int32_t left, std::int32_t top) noexcept;
+  void label_square(std::int32_t left, std::int32_t top, const LabelsAround& around,
+                    const InverseDepthMoments* sum) noexcept;
+  void write(std::int32_t left, std::int32_t top, const LabelsAround& around,
+             const std::int32_t* chosen) const noexcept;
+  void add(std::int32_t left, std::int32_t top, const LabelsAround& around,
+           const std::int32_t* chosen) const noexcept;
+
+  const PixelLabeller& work_;
+  ImageView<std::uint16_t> labels_;
+  std::span<InverseDepthMoments> moments_;
+  DepthChoice choice_;
+};
+
+}  // namespace straightedge::detail
