@@ -27,38 +27,47 @@ struct RansacSearchResult {
 
 namespace detail {
 
-/// The free readings of a window, ready to be drawn from and scored. Pixels count from (u0, v0).
+/// The free readings of a window, ready to be drawn from and scored. Pixels count from (u0, v0). What fills the
+/// last group of sixteen up is far from every plane.
 struct RansacWindow {
-  static constexpr std::uint32_t capacity = 304;
-  float u[capacity], v[capacity], q[capacity];
-  float x[capacity], y[capacity], z[capacity], w[capacity];  ///< u, v, 1 and q over the gate
+  static constexpr std::uint32_t capacity = 176;
+  float u[capacity], v[capacity], q[capacity], w[capacity];
   std::uint32_t count;
   std::int32_t u0, v0;
 };
 
+/// A plane whose readings fill the gate, and the window in which it was found.
+struct RansacRoughPlane {
+  float a, b, c;
+  std::int16_t column, row, half;  ///< cells
+};
+
 /// Cells in rows with a border of one, rows rounded up.
 struct RansacSearchMemory {
-  std::span<float> u, v, q, w;            ///< a cell's reading: pixel, 1/z, 1 / gate
-  std::span<float> free_q;                ///< q of readings that no candidate has taken
-  std::span<float> single, triple, cost;  ///< single is one row
-  std::span<std::uint8_t> hit, core;
-  std::span<std::int32_t> owner;
+  std::span<float> u, v, q, w;     ///< a cell's reading: pixel, 1/z, 1 / gate
+  std::span<float> free_q;         ///< q of readings that no candidate has taken; at the end costs
+  std::span<float> triple, owner;  ///< costs of three cells; numbers of candidates
+  std::span<float> row;            ///< of cells
+  std::span<std::uint8_t> hit, core, columns;
   std::span<ProposedPlane> candidates;
+  std::span<RansacRoughPlane> rough;
   std::span<RansacWindow> window;  ///< one
 
   static constexpr RansacSearchMemory take(Arena& arena, Size size,
                                            const RansacSearchOptions& options) noexcept {
     const auto cell = static_cast<std::size_t>(options.cell);
+    const std::size_t overrun = search_overrun;
     const std::size_t stride = ((static_cast<std::size_t>(size.width) + cell - 1) / cell + 2 + 15) / 16 * 16;
-    const std::size_t cells = stride * ((static_cast<std::size_t>(size.height) + cell - 1) / cell + 2);
+    const std::size_t cells = stride * ((static_cast<std::size_t>(size.height) + cell - 1) / cell + 2) + overrun;
     RansacSearchMemory m;
-    for (std::span<float>* plane : {&m.u, &m.v, &m.q, &m.w, &m.free_q, &m.triple, &m.cost})
+    for (std::span<float>* plane : {&m.u, &m.v, &m.q, &m.w, &m.free_q, &m.triple, &m.owner})
       *plane = arena.take<float>(cells);
-    m.single = arena.take<float>(stride);
+    m.row = arena.take<float>(stride + overrun);
     m.hit = arena.take<std::uint8_t>(cells);
     m.core = arena.take<std::uint8_t>(cells);
-    m.owner = arena.take<std::int32_t>(cells);
+    m.columns = arena.take<std::uint8_t>(stride + overrun);
     m.candidates = arena.take<ProposedPlane>(static_cast<std::size_t>(options.max_candidates));
+    m.rough = arena.take<RansacRoughPlane>(4 * static_cast<std::size_t>(options.max_candidates));
     m.window = arena.take<RansacWindow>(1);
     return m;
   }

@@ -15,7 +15,7 @@ using ransac::Window;
 using ransac::WindowShape;
 
 /// Windows of 49, 21 and 11 cells: about 200 readings each.
-constexpr WindowShape window_shapes[] = {{24, 3}, {10, 2}, {5, 1}};
+constexpr WindowShape window_shapes[] = {{24, 4}, {10, 2}, {5, 1}};
 
 /// Streams of windows begin above those of the rows of cells.
 constexpr std::uint64_t first_window_stream = std::uint64_t{1} << 32U;
@@ -24,7 +24,7 @@ constexpr std::uint64_t first_window_stream = std::uint64_t{1} << 32U;
 constexpr std::uint32_t enough_cells = 1000;
 
 /// What memory.owner says of a cell during the search: a rough plane has it.
-constexpr std::int32_t rough_cell = 1;
+constexpr float rough_cell = 1;
 
 struct Search {
   const RansacSearchOptions& options;
@@ -115,10 +115,10 @@ void search_window(Search& s, std::int32_t column, std::int32_t row, const Windo
   const std::uint32_t few = s.least_cells / share;
   const std::uint32_t least = few < 6 ? 6 : few;
   while (s.result.candidates < s.lattice.memory.candidates.size()) {
-    ransac::gather(s.lattice, column, row, shape, 1, s.window);
+    ransac::gather(s.lattice, column, row, shape, s.window);
     if (s.window.count < least) return;
     const ransac::WindowPlane found =
-        ransac::best_of_window(s.window, s.options, first_window_stream + s.result.windows++);
+        ransac::best_of_window(s.lattice, s.window, s.options, first_window_stream + s.result.windows++);
     s.result.draws += found.draws;
     if (found.inliers < least) return;
     InverseDepthFit fit;
@@ -132,7 +132,7 @@ void search_window(Search& s, std::int32_t column, std::int32_t row, const Windo
 /// Steps 3 and 4 with windows of one shape.
 void search_windows(Search& s, const WindowShape& shape) noexcept {
   const Lattice& l = s.lattice;
-  for (std::int32_t& owner : l.memory.owner) owner = 0;
+  for (float& owner : l.memory.owner) owner = 0;
   const std::int32_t first = shape.half / 2;
   for (std::int32_t row = first; row < l.rows; row += shape.half)
     for (std::int32_t column = first; column < l.columns; column += shape.half)
