@@ -85,12 +85,15 @@ struct PlaneSearchKernels {
   /// reaches q, is no reading: q becomes `none`. Where q is `none`, w is 1.
   void (*weigh)(float* q, float* w, std::int32_t padded, float least, float per_square, float none) noexcept;
 
+  /// How many of `q` are above 0, in rows up to the next multiple of search_lanes or somewhat less.
+  std::uint32_t (*count_readings)(const float* q, const SearchBox& box) noexcept;
+
   /// 1 for each cell whose reading is within the gate, else 0.
   void (*mark_hits)(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane,
                     std::uint8_t* hit) noexcept;
   /// `core` is 1 for each hit that has three hits among its eight neighbours, else 0. `columns` gets the OR over
-  /// each column.
-  SearchMarks (*keep_dense)(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core,
+  /// each column; `counts` is room for a row.
+  SearchMarks (*keep_dense)(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core, std::uint8_t* counts,
                             std::uint8_t* columns) noexcept;
   /// Sums over the marked cells, u and v counted from (u0, v0). `marks` is room for a row.
   void (*sum_marked)(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,

@@ -48,7 +48,7 @@ struct RansacSearchMemory {
   std::span<float> free_q;         ///< q of readings that no candidate has taken; at the end costs
   std::span<float> triple, owner;  ///< costs of three cells; numbers of candidates
   std::span<float> row;            ///< of cells
-  std::span<std::uint8_t> hit, core, columns;
+  std::span<std::uint8_t> hit, core, counts, columns;
   std::span<ProposedPlane> candidates;
   std::span<RansacRoughPlane> rough;
   std::span<RansacWindow> window;  ///< one
@@ -65,6 +65,7 @@ struct RansacSearchMemory {
     m.row = arena.take<float>(stride + overrun);
     m.hit = arena.take<std::uint8_t>(cells);
     m.core = arena.take<std::uint8_t>(cells);
+    m.counts = arena.take<std::uint8_t>(stride + overrun);
     m.columns = arena.take<std::uint8_t>(stride + overrun);
     m.candidates = arena.take<ProposedPlane>(static_cast<std::size_t>(options.max_candidates));
     m.rough = arena.take<RansacRoughPlane>(4 * static_cast<std::size_t>(options.max_candidates));

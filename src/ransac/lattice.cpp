@@ -34,8 +34,10 @@ struct Square {
   }
   /// 0: none that takes part.
   float reading(std::int32_t u, std::int32_t v) const noexcept {
+    // The mask is asked first: it is smaller.
+    if (masked(u, v)) return 0;
     const float q = inverse_depth.at(u0 + u, v0 + v);
-    return q > 0 && q <= 1e6F && !masked(u, v) ? q : 0;
+    return q > 0 && q <= 1e6F ? q : 0;
   }
 };
 
@@ -70,11 +72,8 @@ float next_reading(const Square& s, std::int32_t& u, std::int32_t& v) noexcept {
   return 0;
 }
 
-/// Sixteen bits for each coordinate: no pixel is favoured by more than a thousandth.
-void draw_reading(const Lattice& lattice, const Square& s, std::size_t cell, Pcg32& random) noexcept {
-  const std::uint32_t chance = random.next();
-  auto u = static_cast<std::int32_t>((chance & 0xFFFFU) * static_cast<std::uint32_t>(s.width) >> 16U);
-  auto v = static_cast<std::int32_t>((chance >> 16U) * static_cast<std::uint32_t>(s.height) >> 16U);
+/// Begins at pixel (u, v) of the square.
+void take_reading(const Lattice& lattice, const Square& s, std::size_t cell, std::int32_t u, std::int32_t v) noexcept {
   float q = s.reading(u, v);
   if (!(q > 0)) q = next_reading(s, u, v);
   if (!(q > 0)) return;
@@ -122,10 +121,14 @@ std::uint32_t draw_lattice(const Lattice& lattice, ImageView<const float> invers
     Pcg32 random(options.seed, static_cast<std::uint64_t>(row));
     const std::int32_t v0 = row * lattice.cell;
     const std::int32_t height = clamped(inverse_depth.height - v0, lattice.cell);
+    std::int32_t v = 0;
     for (std::int32_t column = 0; column < lattice.columns; ++column) {
+      // Sixteen cells begin in one row of pixels: memory is read in rows.
+      if (column % cell_lanes == 0) v = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(height)));
       const std::int32_t u0 = column * lattice.cell;
       const std::int32_t width = clamped(inverse_depth.width - u0, lattice.cell);
-      draw_reading(lattice, {inverse_depth, mask, u0, v0, width, height}, lattice.at(column, row), random);
+      const auto u = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(width)));
+      take_reading(lattice, {inverse_depth, mask, u0, v0, width, height}, lattice.at(column, row), u, v);
     }
     readings += weigh_row(lattice, lattice.at(0, row), options.gate);
   }

@@ -54,7 +54,8 @@ Core mark_core(const Lattice& lattice, std::span<const float> q, const InverseDe
   lattice.kernels.mark_hits(lattice.readings(q, outer), {x1 - x0, y1 - y0, lattice.stride}, in_floats(plane),
                             &m.hit[outer]);
   const SearchMarks marks =
-      lattice.kernels.keep_dense(&m.hit[inner], shape_of(lattice, box), &m.core[inner], m.columns.data());
+      lattice.kernels.keep_dense(&m.hit[inner], shape_of(lattice, box), &m.core[inner], m.counts.data(),
+                                 m.columns.data());
   Core core;
   if (marks.cells == 0) return core;
   core.cells = marks.cells;

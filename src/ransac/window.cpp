@@ -90,6 +90,14 @@ void append_row(const Lattice& lattice, std::size_t first, std::int32_t columns,
 
 }  // namespace
 
+std::uint32_t count_free(const Lattice& lattice, std::int32_t column, std::int32_t row, std::int32_t half) noexcept {
+  const std::int32_t c0 = column > half ? column - half : 0, r0 = row > half ? row - half : 0;
+  const std::int32_t c1 = column + half < lattice.columns ? column + half + 1 : lattice.columns;
+  const std::int32_t r1 = row + half < lattice.rows ? row + half + 1 : lattice.rows;
+  return lattice.kernels.count_readings(&lattice.memory.free_q[lattice.at(c0, r0)],
+                                        {c1 - c0, r1 - r0, lattice.stride});
+}
+
 void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, const WindowShape& shape,
             Window& window) noexcept {
   window.count = 0;

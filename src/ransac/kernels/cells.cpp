@@ -21,14 +21,25 @@ void mark_row(const SearchReadings& row, std::int32_t count, const SearchPlane& 
 }
 
 void keep_row(const std::uint8_t* above, const std::uint8_t* hit, const std::uint8_t* below, std::int32_t count,
-              std::uint8_t* __restrict core, std::uint8_t* __restrict columns) noexcept {
+              std::uint8_t* __restrict core, std::uint8_t* __restrict counts) noexcept {
   for (std::int32_t i = 0; i < count; ++i) {
     const auto near = static_cast<std::uint8_t>(above[i - 1] + above[i] + above[i + 1] + hit[i - 1] + hit[i + 1] +
                                                 below[i - 1] + below[i] + below[i + 1]);
     const auto kept = static_cast<std::uint8_t>((near >= least_neighbours ? 1 : 0) & hit[i]);
     core[i] = kept;
-    columns[i] = static_cast<std::uint8_t>(columns[i] | kept);
+    counts[i] = static_cast<std::uint8_t>(counts[i] + kept);
   }
+}
+
+/// Adds the counts up, which begin anew.
+std::uint32_t collect(std::uint8_t* __restrict counts, std::int32_t count, std::uint8_t* __restrict columns) noexcept {
+  std::uint32_t sum = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
+    sum += counts[i];
+    columns[i] = static_cast<std::uint8_t>(columns[i] | counts[i]);
+    counts[i] = 0;
+  }
+  return sum;
 }
 
 std::uint64_t eight(const std::uint8_t* bytes) noexcept {
@@ -37,17 +48,10 @@ std::uint64_t eight(const std::uint8_t* bytes) noexcept {
   return group;
 }
 
-/// How many of `count`, a multiple of 8, are 1.
-std::uint32_t count_ones(const std::uint8_t* marks, std::int32_t count) noexcept {
-  std::uint32_t sum = 0;
-  for (std::int32_t first = 0; first < count;) {
-    // A byte counts to 255.
-    const std::int32_t end = count - first > 31 * 8 ? first + 31 * 8 : count;
-    std::uint64_t bytes = 0;
-    for (; first < end; first += 8) bytes += eight(marks + first);
-    sum += static_cast<std::uint32_t>((bytes * 0x0101010101010101ULL) >> 56U);
-  }
-  return sum;
+bool any_in_row(const std::uint8_t* marks, std::int32_t count) noexcept {
+  std::uint64_t any = 0;
+  for (std::int32_t i = 0; i < count; i += 8) any |= eight(marks + i);
+  return any != 0;
 }
 
 /// Marks as floats, for lanes to load. A single lane needs no row of them.
@@ -96,6 +100,19 @@ void weigh(float* q, float* w, std::int32_t padded, float least, float per_squar
   }
 }
 
+std::uint32_t count_readings(const float* q, const SearchBox& box) noexcept {
+  const Lanes none = all(0), one = all(1);
+  float counts[search_lanes];
+  for (std::int32_t l = 0; l < search_lanes; l += lanes) {
+    Lanes sum = none;
+    for (std::int32_t y = 0; y < box.height; ++y)
+      for (std::int32_t x = l; x < box.width; x += search_lanes)
+        sum += load(q + y * box.stride + x) > none ? one : none;
+    store(counts + l, sum);
+  }
+  return static_cast<std::uint32_t>(fold(counts));
+}
+
 void mark_hits(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane,
                std::uint8_t* hit) noexcept {
   const std::int32_t width = rounded_up(box.width, byte_step);
@@ -104,21 +121,26 @@ void mark_hits(const SearchReadings& readings, const SearchBox& box, const Searc
     mark_row(moved(readings, y * box.stride), width, p, hit + y * box.stride);
 }
 
-SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core,
+SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core, std::uint8_t* counts,
                        std::uint8_t* columns) noexcept {
+  // A byte counts to 255.
+  constexpr std::int32_t most_rows = 255;
   const std::int32_t width = rounded_up(box.width, byte_step);
   SearchMarks marks;
-  for (std::int32_t i = 0; i < width; ++i) columns[i] = 0;
-  for (std::int32_t y = 0; y < box.height; ++y) {
-    const std::uint8_t* row = hit + y * box.stride;
-    std::uint8_t* kept = core + y * box.stride;
-    keep_row(row - box.stride, row, row + box.stride, width, kept, columns);
-    const std::uint32_t ones = count_ones(kept, rounded_up(box.width, 8));
-    if (ones == 0) continue;
-    marks.first_row = marks.cells == 0 ? y : marks.first_row;
-    marks.end_row = y + 1;
-    marks.cells += ones;
+  for (std::int32_t i = 0; i < width; ++i) counts[i] = columns[i] = 0;
+  for (std::int32_t y0 = 0; y0 < box.height; y0 += most_rows) {
+    const std::int32_t end = box.height - y0 > most_rows ? y0 + most_rows : box.height;
+    for (std::int32_t y = y0; y < end; ++y) {
+      const std::uint8_t* row = hit + y * box.stride;
+      keep_row(row - box.stride, row, row + box.stride, width, core + y * box.stride, counts);
+    }
+    for (std::int32_t i = box.width; i < width; ++i) counts[i] = 0;
+    marks.cells += collect(counts, width, columns);
   }
+  if (marks.cells == 0) return marks;
+  marks.end_row = box.height;
+  while (!any_in_row(core + marks.first_row * box.stride, box.width)) ++marks.first_row;
+  while (!any_in_row(core + (marks.end_row - 1) * box.stride, box.width)) --marks.end_row;
   return marks;
 }
 

@@ -9,6 +9,7 @@ constinit const PlaneSearchKernels STRAIGHTEDGE_OF_SET(_plane_search_kernels) = 
     .find_inliers = STRAIGHTEDGE_KERNEL_SET::find_inliers,
     .sum_inliers = STRAIGHTEDGE_KERNEL_SET::sum_inliers,
     .weigh = STRAIGHTEDGE_KERNEL_SET::weigh,
+    .count_readings = STRAIGHTEDGE_KERNEL_SET::count_readings,
     .mark_hits = STRAIGHTEDGE_KERNEL_SET::mark_hits,
     .keep_dense = STRAIGHTEDGE_KERNEL_SET::keep_dense,
     .sum_marked = STRAIGHTEDGE_KERNEL_SET::sum_marked,
