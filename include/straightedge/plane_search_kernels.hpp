@@ -99,14 +99,11 @@ struct PlaneSearchKernels {
   void (*sum_marked)(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
                      const SearchPlane& plane, float u0, float v0, float* marks, SearchSums& sums) noexcept;
 
-  /// The cost of each cell of the box and of its two neighbours in the row together; `single` is room for a row.
-  /// `readings` and `triple` begin at the first cell.
-  void (*cost_rows)(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane, float* single,
-                    float* triple) noexcept;
-  /// Marked cells whose `triple`, those of the cells above and below added, is less than `cost` get that cost
-  /// and the label. `marks` is room for a row.
-  void (*take_cheaper)(const float* triple, const std::uint8_t* core, const SearchBox& box, float label,
-                       float* marks, float* cost, float* owner) noexcept;
+  /// What a cell costs is min((residual / gate)², 1), its own and those of the eight round it added up. Marked
+  /// cells for which this is less than `cost` get that cost and the label. `rows` is room for five rows of the
+  /// box.
+  void (*take_cheaper)(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
+                       const SearchPlane& plane, float label, float* rows, float* cost, float* owner) noexcept;
 };
 
 /// Portable loops; what every other table is compared with.

@@ -42,12 +42,12 @@ struct RansacRoughPlane {
   std::int16_t column, row, half;  ///< cells
 };
 
-/// Cells in rows with a border of one, rows rounded up.
+/// Cells in rows with a border of at least one, on the left of sixteen: rows begin where vectors do.
 struct RansacSearchMemory {
   std::span<float> u, v, q, w;     ///< a cell's reading: pixel, 1/z, 1 / gate
   std::span<float> free_q;         ///< q of readings that no candidate has taken; at the end costs
-  std::span<float> triple, owner;  ///< costs of three cells; numbers of candidates
-  std::span<float> row;            ///< of cells
+  std::span<float> owner;          ///< numbers of candidates
+  std::span<float> row;            ///< five of cells
   std::span<std::uint8_t> hit, core, counts, columns;
   std::span<ProposedPlane> candidates;
   std::span<RansacRoughPlane> rough;
@@ -57,12 +57,12 @@ struct RansacSearchMemory {
                                            const RansacSearchOptions& options) noexcept {
     const auto cell = static_cast<std::size_t>(options.cell);
     const std::size_t overrun = search_overrun;
-    const std::size_t stride = ((static_cast<std::size_t>(size.width) + cell - 1) / cell + 2 + 15) / 16 * 16;
+    const std::size_t stride = ((static_cast<std::size_t>(size.width) + cell - 1) / cell + 15) / 16 * 16 + 16;
     const std::size_t cells = stride * ((static_cast<std::size_t>(size.height) + cell - 1) / cell + 2) + overrun;
     RansacSearchMemory m;
-    for (std::span<float>* plane : {&m.u, &m.v, &m.q, &m.w, &m.free_q, &m.triple, &m.owner})
+    for (std::span<float>* plane : {&m.u, &m.v, &m.q, &m.w, &m.free_q, &m.owner})
       *plane = arena.take<float>(cells);
-    m.row = arena.take<float>(stride + overrun);
+    m.row = arena.take<float>(5 * (stride + overrun));
     m.hit = arena.take<std::uint8_t>(cells);
     m.core = arena.take<std::uint8_t>(cells);
     m.counts = arena.take<std::uint8_t>(stride + overrun);

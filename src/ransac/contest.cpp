@@ -17,13 +17,11 @@ CellBox box_of(const Lattice& lattice, const ProposedPlane& c) noexcept {
 void contest_for(const Lattice& lattice, const ProposedPlane& candidate, float label) noexcept {
   const InverseDepthPlane& plane = candidate.fit.plane;
   const CellBox box = box_of(lattice, candidate);
-  const std::int32_t width = box.x1 - box.x0, height = box.y1 - box.y0;
   const detail::RansacSearchMemory& m = lattice.memory;
   (void)mark_core(lattice, m.q, plane, box);
-  const std::size_t above = lattice.at(box.x0, box.y0 - 1), first = lattice.at(box.x0, box.y0);
-  lattice.kernels.cost_rows(lattice.readings(m.q, above), {width, height + 2, lattice.stride}, in_floats(plane),
-                            m.row.data(), &m.triple[above]);
-  lattice.kernels.take_cheaper(&m.triple[first], &m.core[first], {width, height, lattice.stride}, label,
+  const std::size_t first = lattice.at(box.x0, box.y0);
+  const SearchBox shape{box.x1 - box.x0, box.y1 - box.y0, lattice.stride};
+  lattice.kernels.take_cheaper(lattice.readings(m.q, first), &m.core[first], shape, in_floats(plane), label,
                                m.row.data(), &m.free_q[first], &m.owner[first]);
 }
 

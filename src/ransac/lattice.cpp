@@ -72,14 +72,21 @@ float next_reading(const Square& s, std::int32_t& u, std::int32_t& v) noexcept {
   return 0;
 }
 
-/// Begins at pixel (u, v) of the square.
-void take_reading(const Lattice& lattice, const Square& s, std::size_t cell, std::int32_t u, std::int32_t v) noexcept {
-  float q = s.reading(u, v);
-  if (!(q > 0)) q = next_reading(s, u, v);
-  if (!(q > 0)) return;
-  lattice.memory.u[cell] = static_cast<float>(s.u0 + u);
-  lattice.memory.v[cell] = static_cast<float>(s.v0 + v);
-  lattice.memory.q[cell] = q;
+/// The readings of some cells beside one another, of each the first from pixel (du, dv) of its square on.
+void take_readings(const Lattice& lattice, Square s, std::int32_t column, std::int32_t end, std::int32_t row,
+                   std::int32_t du, std::int32_t dv) noexcept {
+  for (; column < end; ++column) {
+    s.u0 = column * lattice.cell;
+    s.width = clamped(s.inverse_depth.width - s.u0, lattice.cell);
+    std::int32_t u = du < s.width ? du : s.width - 1, v = dv;
+    float q = s.reading(u, v);
+    if (!(q > 0)) q = next_reading(s, u, v);
+    if (!(q > 0)) continue;
+    const std::size_t cell = lattice.at(column, row);
+    lattice.memory.u[cell] = static_cast<float>(s.u0 + u);
+    lattice.memory.v[cell] = static_cast<float>(s.v0 + v);
+    lattice.memory.q[cell] = q;
+  }
 }
 
 /// The gates of the readings of a row, and the readings that no candidate has taken: all of them.
@@ -121,14 +128,12 @@ std::uint32_t draw_lattice(const Lattice& lattice, ImageView<const float> invers
     Pcg32 random(options.seed, static_cast<std::uint64_t>(row));
     const std::int32_t v0 = row * lattice.cell;
     const std::int32_t height = clamped(inverse_depth.height - v0, lattice.cell);
-    std::int32_t v = 0;
-    for (std::int32_t column = 0; column < lattice.columns; ++column) {
-      // Sixteen cells begin in one row of pixels: memory is read in rows.
-      if (column % cell_lanes == 0) v = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(height)));
-      const std::int32_t u0 = column * lattice.cell;
-      const std::int32_t width = clamped(inverse_depth.width - u0, lattice.cell);
-      const auto u = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(width)));
-      take_reading(lattice, {inverse_depth, mask, u0, v0, width, height}, lattice.at(column, row), u, v);
+    for (std::int32_t column = 0; column < lattice.columns; column += cell_lanes) {
+      // One draw for sixteen cells: so memory is read in rows.
+      const auto du = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(lattice.cell)));
+      const auto dv = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(height)));
+      const std::int32_t end = clamped(column + cell_lanes, lattice.columns);
+      take_readings(lattice, {inverse_depth, mask, 0, v0, 0, height}, column, end, row, du, dv);
     }
     readings += weigh_row(lattice, lattice.at(0, row), options.gate);
   }

@@ -17,13 +17,16 @@ inline constexpr float no_reading = -1e30F;
 /// Cells of one row are worked on in groups of so many; see CellBox.
 inline constexpr std::int32_t cell_lanes = search_lanes;
 
+/// Empty cells left of a row; on the right there are those of the next row.
+inline constexpr std::int32_t border = 16;
+
 /// One reading of every cell of the picture. Rows are `stride` cells long and have a border of empty cells.
 struct Lattice {
   Lattice(Size size, const RansacSearchOptions& options, const detail::RansacSearchMemory& arrays) noexcept
       : cell(options.cell),
         columns((size.width + cell - 1) / cell),
         rows((size.height + cell - 1) / cell),
-        stride((columns + 2 + 15) / 16 * 16),
+        stride((columns + 15) / 16 * 16 + border),
         memory(arrays),
         kernels(*options.kernels) {}
 
@@ -39,7 +42,7 @@ struct Lattice {
   /// Place in the arrays; column and row counted without the border.
   std::size_t at(std::int32_t column, std::int32_t row) const noexcept {
     return static_cast<std::size_t>(row + 1) * static_cast<std::size_t>(stride) +
-           static_cast<std::size_t>(column + 1);
+           static_cast<std::size_t>(column + border);
   }
 };
 

@@ -15,7 +15,7 @@ using ransac::Window;
 using ransac::WindowShape;
 
 /// Windows of 49, 21 and 11 cells: about 200 readings each.
-constexpr WindowShape window_shapes[] = {{24, 4}, {10, 2}, {5, 1}};
+constexpr WindowShape window_shapes[] = {{24, 4}, {10, 2}, {6, 1}};
 
 /// Streams of windows begin above those of the rows of cells.
 constexpr std::uint64_t first_window_stream = std::uint64_t{1} << 32U;
@@ -156,6 +156,8 @@ void search_window(Search& s, std::int32_t column, std::int32_t row, const Windo
 /// Steps 3 and 4 with windows of one shape.
 void search_windows(Search& s, const WindowShape& shape) noexcept {
   const Lattice& l = s.lattice;
+  // Windows smaller than the smallest plane find nothing that larger ones do not.
+  if (static_cast<std::uint32_t>((2 * shape.half + 1) * (2 * shape.half + 1)) < s.least_cells) return;
   for (float& owner : l.memory.owner) owner = 0;
   const std::int32_t first = shape.half / 2;
   for (std::int32_t row = first; row < l.rows; row += shape.half)

@@ -46,7 +46,7 @@ Core mark_core(const Lattice& lattice, std::span<const float> q, const InverseDe
                const CellBox& box) noexcept {
   const detail::RansacSearchMemory& m = lattice.memory;
   // Neighbours of the cells at the border of the box count too, where the picture has any.
-  const std::int32_t x0 = box.x0 > 0 ? box.x0 - 1 : 0;
+  const std::int32_t x0 = box.x0 > 0 ? box.x0 - cell_lanes : 0;
   const std::int32_t x1 = box.x1 < lattice.columns ? box.x1 + 1 : lattice.columns;
   const std::int32_t y0 = box.y0 > 0 ? box.y0 - 1 : 0;
   const std::int32_t y1 = box.y1 < lattice.rows ? box.y1 + 1 : lattice.rows;

@@ -166,28 +166,30 @@ void sum_marked(const SearchReadings& readings, const std::uint8_t* core, const 
   sums = partial.folded();
 }
 
-void cost_rows(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane, float* single,
-               float* triple) noexcept {
-  const std::int32_t width = rounded_up(box.width, search_lanes);
-  const SearchPlane p = plane;
-  for (std::int32_t y = 0; y < box.height; ++y)
-    cost_row(moved(readings, y * box.stride), width, p, single, triple + y * box.stride);
-}
-
-void take_cheaper(const float* triple, const std::uint8_t* core, const SearchBox& box, float label, float* marks,
-                  float* cost, float* owner) noexcept {
+void take_cheaper(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
+                  const SearchPlane& plane, float label, float* rows, float* cost, float* owner) noexcept {
   const Lanes none = all(0), own = all(label);
+  const std::int32_t width = rounded_up(box.width, search_lanes), room = width + search_overrun;
+  const SearchPlane p = plane;
+  float *single = rows, *marks = rows + room;
+  float *above = rows + 2 * room, *here = rows + 3 * room, *below = rows + 4 * room;
+  cost_row(moved(readings, -box.stride), width, p, single, above);
+  cost_row(readings, width, p, single, here);
   for (std::int32_t y = 0; y < box.height; ++y) {
     const std::ptrdiff_t row = y * box.stride;
+    cost_row(moved(readings, row + box.stride), width, p, single, below);
     spread_marks(core + row, rounded_up(box.width, byte_step), marks);
     for (std::int32_t i = 0; i < box.width; i += lanes) {
-      const float* here = triple + row + i;
-      const Lanes sum = (load(here - box.stride) + load(here + box.stride)) + load(here);
+      const Lanes sum = (load(above + i) + load(below + i)) + load(here + i);
       const Lanes before = load(cost + row + i);
       const auto cheaper = (load_marks(core + row + i, marks + i) > none) & (sum < before);
       store(cost + row + i, cheaper ? sum : before);
       store(owner + row + i, cheaper ? own : load(owner + row + i));
     }
+    float* const free = above;
+    above = here;
+    here = below;
+    below = free;
   }
 }
 

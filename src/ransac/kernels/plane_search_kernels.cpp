@@ -13,7 +13,6 @@ constinit const PlaneSearchKernels STRAIGHTEDGE_OF_SET(_plane_search_kernels) = 
     .mark_hits = STRAIGHTEDGE_KERNEL_SET::mark_hits,
     .keep_dense = STRAIGHTEDGE_KERNEL_SET::keep_dense,
     .sum_marked = STRAIGHTEDGE_KERNEL_SET::sum_marked,
-    .cost_rows = STRAIGHTEDGE_KERNEL_SET::cost_rows,
     .take_cheaper = STRAIGHTEDGE_KERNEL_SET::take_cheaper,
 };
 

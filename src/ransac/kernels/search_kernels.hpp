@@ -22,9 +22,7 @@ SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8
                        std::uint8_t* columns) noexcept;
 void sum_marked(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
                 const SearchPlane& plane, float u0, float v0, float* marks, SearchSums& sums) noexcept;
-void cost_rows(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane, float* single,
-               float* triple) noexcept;
-void take_cheaper(const float* triple, const std::uint8_t* core, const SearchBox& box, float label,
-                  float* marks, float* cost, float* owner) noexcept;
+void take_cheaper(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
+                  const SearchPlane& plane, float label, float* rows, float* cost, float* owner) noexcept;
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
