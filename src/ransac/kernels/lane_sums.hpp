@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "ransac/kernels/lanes.hpp"
+#include "base/lanes.hpp"
+#include "straightedge/plane_search_kernels.hpp"
 
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 namespace {

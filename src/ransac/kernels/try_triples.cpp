@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
-#include "ransac/kernels/lanes.hpp"
+#include "base/lanes.hpp"
 #include "ransac/kernels/search_kernels.hpp"
 
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {

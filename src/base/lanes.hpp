@@ -6,10 +6,9 @@
 #include <cstring>
 
 #include "base/kernel_set.hpp"
-#include "straightedge/plane_search_kernels.hpp"
 
-// Compilers do not find these loops' vectors by themselves: they take sixteen partial sums apart into single
-// floats. So many of the sixteen are worked on at once; what one does no other sees, so all give the same bits.
+// For loops that keep sixteen partial sums: compilers take these apart into single floats. So many of them are
+// worked on at once as the set's registers hold; what one lane does no other sees, so all sets give the same bits.
 #if defined(__AVX512F__)
 #define STRAIGHTEDGE_LANES 16
 #elif defined(__AVX2__)
