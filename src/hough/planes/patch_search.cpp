@@ -57,7 +57,11 @@ std::uint32_t sum_levels(const DepthInput& input, const HoughPatchOptions& optio
 std::span<HoughPatch> cut(const PatchScene& scene, detail::HoughPatchMemory& memory) noexcept {
   const std::size_t count = hough::make_patches(scene, memory.levels, memory.patches);
   const std::span<HoughPatch> patches = memory.patches.first(count);
-  for (HoughPatch& patch : patches) hough::shape_vote(scene, patch);
+  for (HoughPatch& patch : patches) {
+    hough::shape_vote(scene, patch);
+    // Small change for a large plane, spread over many cells.
+    patch.votes = patch.votes && patch.moments->n * thinnest >= scene.options.min_pixels;
+  }
   return patches;
 }
 
