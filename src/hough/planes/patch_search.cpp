@@ -13,9 +13,11 @@ namespace {
 using hough::DepthInput;
 using hough::PatchScene;
 
-// A patch that knows its normal to nine degrees spreads its vote so thin that a plane of min_pixels has about
-// this part of them in its best cell.
-constexpr std::uint32_t thinnest = 64;
+// Patches that know their normal badly spread their votes thin: a plane has at least this part of them in its
+// best cell.
+constexpr std::uint32_t thinnest = 16;
+// A patch with less than this part of the readings that a plane needs is small change, spread over many cells.
+constexpr std::uint32_t smallest_voter = 64;
 
 /// What the steps of one run share.
 struct Search {
@@ -59,8 +61,7 @@ std::span<HoughPatch> cut(const PatchScene& scene, detail::HoughPatchMemory& mem
   const std::span<HoughPatch> patches = memory.patches.first(count);
   for (HoughPatch& patch : patches) {
     hough::shape_vote(scene, patch);
-    // Small change for a large plane, spread over many cells.
-    patch.votes = patch.votes && patch.moments->n * thinnest >= scene.options.min_pixels;
+    patch.votes = patch.votes && patch.moments->n * smallest_voter >= scene.options.min_pixels;
   }
   return patches;
 }
