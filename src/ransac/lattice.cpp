@@ -41,26 +41,21 @@ struct Square {
   }
 };
 
-/// Masks cover most cells whole: four pixels at once tell so.
+/// Masks leave out most of a picture.
 bool all_masked(const Square& s) noexcept {
   if (s.mask.data == nullptr) return false;
+  std::uint32_t free = 0;
   for (std::int32_t v = 0; v < s.height; ++v) {
     const std::uint16_t* row = s.mask.row(s.v0 + v) + s.u0;
-    std::int32_t u = 0;
-    for (; u + 4 <= s.width; u += 4) {
-      std::uint64_t four = 0;
-      std::memcpy(&four, row + u, sizeof four);
-      if (((four - 0x0001000100010001ULL) & ~four & 0x8000800080008000ULL) != 0) return false;
-    }
-    for (; u < s.width; ++u)
-      if (row[u] == 0) return false;
+    std::uint16_t any = 0;
+    for (std::int32_t u = 0; u < s.width; ++u) any = static_cast<std::uint16_t>(any | (row[u] == 0 ? 1 : 0));
+    free |= any;
   }
-  return true;
+  return free == 0;
 }
 
 /// The first reading behind pixel (u, v), row by row and round again; u and v become its place. 0: none.
 float next_reading(const Square& s, std::int32_t& u, std::int32_t& v) noexcept {
-  if (all_masked(s)) return 0;
   for (std::int32_t tried = 1; tried < s.width * s.height; ++tried) {
     if (++u == s.width) {
       u = 0;
@@ -75,12 +70,15 @@ float next_reading(const Square& s, std::int32_t& u, std::int32_t& v) noexcept {
 /// The readings of some cells beside one another, of each the first from pixel (du, dv) of its square on.
 void take_readings(const Lattice& lattice, Square s, std::int32_t column, std::int32_t end, std::int32_t row,
                    std::int32_t du, std::int32_t dv) noexcept {
+  s.u0 = column * lattice.cell;
+  s.width = clamped(s.inverse_depth.width - s.u0, (end - column) * lattice.cell);
+  if (all_masked(s)) return;
   for (; column < end; ++column) {
     s.u0 = column * lattice.cell;
     s.width = clamped(s.inverse_depth.width - s.u0, lattice.cell);
     std::int32_t u = du < s.width ? du : s.width - 1, v = dv;
     float q = s.reading(u, v);
-    if (!(q > 0)) q = next_reading(s, u, v);
+    if (!(q > 0) && !all_masked(s)) q = next_reading(s, u, v);
     if (!(q > 0)) continue;
     const std::size_t cell = lattice.at(column, row);
     lattice.memory.u[cell] = static_cast<float>(s.u0 + u);
