@@ -68,7 +68,7 @@ struct RansacSearchMemory {
     m.counts = arena.take<std::uint8_t>(stride + overrun);
     m.columns = arena.take<std::uint8_t>(stride + overrun);
     m.candidates = arena.take<ProposedPlane>(static_cast<std::size_t>(options.max_candidates));
-    m.rough = arena.take<RansacRoughPlane>(4 * static_cast<std::size_t>(options.max_candidates));
+    m.rough = arena.take<RansacRoughPlane>(2 * static_cast<std::size_t>(options.max_candidates));
     m.window = arena.take<RansacWindow>(1);
     return m;
   }
