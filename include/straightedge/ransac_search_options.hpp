@@ -20,7 +20,7 @@ struct RansacSearchOptions {
   double rough_rms = 1;              ///< of a rough plane's, [0, 1]; 0: smooth planes alone
   double most_noise = 3;        ///< the gate is widened at most so many times for a noisy frame, [1, 100]
   double confidence = 0.99;     ///< (0, 1), of a window's search, see ransac_stop.hpp
-  std::int32_t max_draws = 32;  ///< triples drawn from one window, [1, 65535]
+  std::int32_t max_draws = 32;  ///< triples drawn from one window, [1, 65535], sixteen at a time
   std::uint64_t seed = 1;
   const PlaneSearchKernels* kernels = &plain_plane_search_kernels;  ///< not null
 };

@@ -34,13 +34,15 @@ std::optional<Failure> known_problem(const SequenceFrame& frame) {
 
 /// One of each method, for the size of the first good frame.
 Result<Detectors> make_detectors(const PlanesArguments& arguments, const SequenceFrame& frame, Size size) {
+  const auto kernels = kernels_from_environment();
+  if (!kernels) return kernels.failure();
   Detectors detectors;
   const std::vector<PlaneMethod> methods = arguments.method_list();
   for (const PlaneMethod method : methods) {
     const PlaneDetectorOptions options = arguments.detector_options(method);
     const std::size_t bytes = FramePlanes::workspace_bytes(size, options.frame);
     if (auto fits = check_memory(frame.file, bytes); !fits) return fits.failure();
-    auto made = PlaneDetector::create(size, options);
+    auto made = PlaneDetector::create(size, options, *kernels);
     if (!made) return Failure{made.failure().problem, frame.file.string() + ": " + made.failure().sentence};
     detectors.all.push_back(std::move(*made));
     if (methods.size() == 1) continue;

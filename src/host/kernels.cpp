@@ -16,8 +16,8 @@ constexpr KernelSet all_sets[] = {
     {"plain", &plain_canny_row_kernels},
 #if defined(__x86_64__)
     {"sse2", &sse2_canny_row_kernels},
-    {"avx2", &avx2_canny_row_kernels},
-    {"avx512", &avx512_canny_row_kernels},
+    {"avx2", &avx2_canny_row_kernels, &avx2_plane_search_kernels, &avx2_hough_patch_kernels},
+    {"avx512", &avx512_canny_row_kernels, &avx512_plane_search_kernels, &avx512_hough_patch_kernels},
 #endif
 };
 

@@ -15,11 +15,14 @@ Failure refused(Status status) {
 
 }  // namespace
 
-Result<PlaneDetector> PlaneDetector::create(Size size, const PlaneDetectorOptions& options) {
+Result<PlaneDetector> PlaneDetector::create(Size size, const PlaneDetectorOptions& options,
+                                            const KernelSet& kernels) {
   PlaneDetector made;
   made.options_ = options;
   made.options_.ransac = for_frame(options.ransac, size, options.frame);
   made.options_.hough = for_frame(options.hough, size, options.frame);
+  made.options_.ransac.kernels = kernels.plane_search;
+  made.options_.hough.kernels = kernels.hough_patches;
   made.frame_ = std::make_unique<FramePlanes>();
   made.ransac_ = std::make_unique<RansacSearch>();
   made.hough_ = std::make_unique<HoughPatchSearch>();
@@ -56,8 +59,9 @@ Result<DetectedPlanes> PlaneDetector::detect(const DepthView& depth) {
   return result;
 }
 
-Result<DetectedPlanes> detect_planes(const DepthView& depth, const PlaneDetectorOptions& options) {
-  auto detector = PlaneDetector::create(depth.raw.size(), options);
+Result<DetectedPlanes> detect_planes(const DepthView& depth, const PlaneDetectorOptions& options,
+                                     const KernelSet& kernels) {
+  auto detector = PlaneDetector::create(depth.raw.size(), options, kernels);
   if (!detector) return detector.failure();
   return detector->detect(depth);
 }

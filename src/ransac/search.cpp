@@ -14,7 +14,7 @@ using ransac::Lattice;
 using ransac::Window;
 using ransac::WindowShape;
 
-/// Windows of 49, 21 and 11 cells: about 200 readings each.
+/// Windows of 49, 21 and 13 cells: about 150 readings each.
 constexpr WindowShape window_shapes[] = {{24, 4}, {10, 2}, {6, 1}};
 
 /// Streams of windows begin above those of the rows of cells.

@@ -7,6 +7,8 @@
 
 #include "straightedge/canny_row_kernels.hpp"
 #include "straightedge/host/result.hpp"
+#include "straightedge/hough_patch_kernels.hpp"
+#include "straightedge/plane_search_kernels.hpp"
 
 /// Which of the core's tables of kernels this machine can run. All give the same bits; they differ in time.
 namespace straightedge {
@@ -15,6 +17,8 @@ namespace straightedge {
 struct KernelSet {
   std::string_view name;  ///< "plain", "sse2", "avx2" or "avx512"
   const CannyRowKernels* canny_rows = nullptr;
+  const PlaneSearchKernels* plane_search = &plain_plane_search_kernels;
+  const HoughPatchKernels* hough_patches = &plain_hough_patch_kernels;
 };
 
 /// Those that the processor has the instructions for: plain first, the fastest last.

@@ -10,6 +10,7 @@
 #include "straightedge/depth_view.hpp"
 #include "straightedge/frame_planes.hpp"
 #include "straightedge/host/image.hpp"
+#include "straightedge/host/kernels.hpp"
 #include "straightedge/host/result.hpp"
 #include "straightedge/hough_plane_patches.hpp"
 #include "straightedge/ransac_search.hpp"
@@ -37,7 +38,9 @@ struct DetectedPlanes {
 class PlaneDetector {
  public:
   /// bad_option: an option out of its range, a size without pixels or above 2^28 pixels or 2^15 a side.
-  static Result<PlaneDetector> create(Size size, const PlaneDetectorOptions& options);
+  /// The kernels take the place of those in the options.
+  static Result<PlaneDetector> create(Size size, const PlaneDetectorOptions& options,
+                                      const KernelSet& kernels = best_kernels());
 
   /// bad_content: a frame of another size, a camera or a depth scale that makes no sense.
   Result<DetectedPlanes> detect(const DepthView& depth);
@@ -57,6 +60,7 @@ class PlaneDetector {
 };
 
 /// The same in one call.
-Result<DetectedPlanes> detect_planes(const DepthView& depth, const PlaneDetectorOptions& options = {});
+Result<DetectedPlanes> detect_planes(const DepthView& depth, const PlaneDetectorOptions& options = {},
+                                     const KernelSet& kernels = best_kernels());
 
 }  // namespace straightedge
