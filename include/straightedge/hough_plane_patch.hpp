@@ -7,6 +7,7 @@
 
 #include "straightedge/frame_planes_options.hpp"
 #include "straightedge/hough_accumulator.hpp"
+#include "straightedge/hough_patch_kernels.hpp"
 #include "straightedge/inverse_depth.hpp"
 #include "straightedge/plane.hpp"
 #include "straightedge/plane_gate.hpp"
@@ -27,6 +28,7 @@ struct HoughPatchOptions {
   std::uint32_t min_pixels = 300;    ///< a candidate's patches have at least so many readings
   std::int32_t max_candidates = 64;  ///< [1, 1024]
   std::int32_t rounds = 2;           ///< votings; each after the first by what is left, [1, 16]
+  const HoughPatchKernels* kernels = &plain_hough_patch_kernels;  ///< not null
 };
 
 /// The options for a search of FramePlanes with these: its gate, and planes as small as it wants.
@@ -89,7 +91,7 @@ constexpr bool valid(const HoughPatchOptions& o) noexcept {
   const bool search = o.max_distance_m > 0 && o.max_distance_m <= 1e6 && o.max_spread_rad > 0 &&
                       o.max_spread_rad <= 1 && o.max_candidates >= 1 && o.max_candidates <= 1024 &&
                       o.rounds >= 1 && o.rounds <= 16;
-  return o.gate.valid() && HoughAccumulator::cell_count(o.accumulator) > 0 && sizes && noise && search;
+  return o.gate.valid() && HoughAccumulator::cell_count(o.accumulator) > 0 && sizes && noise && search && o.kernels != nullptr;
 }
 
 }  // namespace detail

@@ -60,8 +60,10 @@ struct HoughPatchMemory {
 ///   3. Votes. Of a patch at point p the normal's covariance follows from that of (a, b). It votes for the
 ///      direction cells around its normal, each weighted by (1 − r²/6)², r the distance in standard
 ///      deviations (enlarged by the cell size); with direction n goes the distance n·p. The weights add up to
-///      64 for each reading. Patches that know their normal less well than max_spread_rad do not vote.
-///   4. Peaks of the accumulator (hough_plane_peaks.hpp), most votes first.
+///      64 for each reading. Patches that know their normal less well than max_spread_rad do not vote,
+///      nor do those with less than a 64th of min_pixels.
+///   4. Peaks of the accumulator (hough_plane_peaks.hpp), most votes first, of those that have a
+///      16th of what the readings of a candidate vote.
 ///   5. Growth. The largest free patch near the peak is the seed. The plane of the patches so far takes
 ///      in those that agree with it: the chi-square of mean and slopes, both uncertainties counted, is at
 ///      most 16, the mean within the gate, and the plane is known there to one sigma (near the peak to

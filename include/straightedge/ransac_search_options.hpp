@@ -6,6 +6,7 @@
 
 #include "straightedge/frame_planes_options.hpp"
 #include "straightedge/plane_gate.hpp"
+#include "straightedge/plane_search_kernels.hpp"
 
 namespace straightedge {
 
@@ -19,8 +20,9 @@ struct RansacSearchOptions {
   double rough_rms = 1;              ///< of a rough plane's, [0, 1]; 0: smooth planes alone
   double most_noise = 3;        ///< the gate is widened at most so many times for a noisy frame, [1, 100]
   double confidence = 0.99;     ///< (0, 1), of a window's search, see ransac_stop.hpp
-  std::int32_t max_draws = 32;  ///< triples drawn from one window, [1, 65535]
+  std::int32_t max_draws = 32;  ///< triples drawn from one window, [1, 65535], sixteen at a time
   std::uint64_t seed = 1;
+  const PlaneSearchKernels* kernels = &plain_plane_search_kernels;  ///< not null
 };
 
 /// The options for a search of FramePlanes with these: its gate, and planes as small as it wants.
@@ -39,7 +41,8 @@ constexpr bool valid(const RansacSearchOptions& o) noexcept {
   return o.gate.valid() && o.cell >= 1 && o.cell <= 64 && o.min_pixels >= 1 && o.max_candidates >= 1 &&
          o.max_candidates <= 65535 && o.max_rms > 0 && o.max_rms <= 1 && o.rough_rms >= 0 &&
          o.rough_rms <= 1 && o.most_noise >= 1 && o.most_noise <= 100 && o.confidence > 0 &&
-         o.confidence < 1 && o.max_draws >= 1 && o.max_draws <= 65535;
+         o.confidence < 1 && o.max_draws >= 1 && o.max_draws <= 65535 &&
+         o.kernels != nullptr;
 }
 
 }  // namespace detail

@@ -10,61 +10,24 @@ namespace {
 /// More than nine cells can cost.
 constexpr float unowned = 10;
 
-/// The cost of each cell of a row and its two neighbours. An empty cell costs the same for all candidates.
-void cost_row(const Lattice& lattice, std::size_t first, std::int32_t count, const InverseDepthPlane& plane,
-              float* __restrict single, float* __restrict triple) noexcept {
-  const auto a = static_cast<float>(plane.a);
-  const auto b = static_cast<float>(plane.b);
-  const auto c = static_cast<float>(plane.c);
-  const float* u = &lattice.memory.u[first];
-  const float* v = &lattice.memory.v[first];
-  const float* q = &lattice.memory.q[first];
-  const float* w = &lattice.memory.w[first];
-  for (std::int32_t i = 0; i < count; ++i) {
-    const float e = (q[i] - ((a * u[i] + b * v[i]) + c)) * w[i];
-    const float squared = e * e;
-    single[i] = squared < 1 ? squared : 1;
-  }
-  for (std::int32_t i = 1; i + 1 < count; ++i) triple[i] = (single[i - 1] + single[i + 1]) + single[i];
-}
-
-void take_cheaper(const float* above, const float* here, const float* below, const std::uint8_t* core,
-                  std::int32_t count, std::int32_t label, float* __restrict cost,
-                  std::int32_t* __restrict owner) noexcept {
-  for (std::int32_t i = 0; i < count; ++i) {
-    const float sum = (above[i] + below[i]) + here[i];
-    const float asked = core[i] != 0 ? sum : unowned;
-    const bool cheaper = asked < cost[i];
-    cost[i] = cheaper ? asked : cost[i];
-    owner[i] = cheaper ? label : owner[i];
-  }
-}
-
 CellBox box_of(const Lattice& lattice, const ProposedPlane& c) noexcept {
   return {c.column0 / lattice.cell, c.row0 / lattice.cell, c.column1 / lattice.cell, c.row1 / lattice.cell};
 }
 
-void contest_for(const Lattice& lattice, const ProposedPlane& candidate, std::int32_t label) noexcept {
+void contest_for(const Lattice& lattice, const ProposedPlane& candidate, float label) noexcept {
   const InverseDepthPlane& plane = candidate.fit.plane;
   const CellBox box = box_of(lattice, candidate);
-  const std::int32_t width = box.x1 - box.x0;
   const detail::RansacSearchMemory& m = lattice.memory;
-  const auto stride = static_cast<std::size_t>(lattice.stride);
   (void)mark_core(lattice, m.q, plane, box);
-  for (std::int32_t row = box.y0 - 1; row <= box.y1; ++row) {
-    const std::size_t i = lattice.at(box.x0 - 1, row);
-    cost_row(lattice, i, width + 2, plane, m.single.data(), &m.triple[i]);
-  }
-  for (std::int32_t row = box.y0; row < box.y1; ++row) {
-    const std::size_t i = lattice.at(box.x0, row);
-    take_cheaper(&m.triple[i - stride], &m.triple[i], &m.triple[i + stride], &m.core[i], width, label,
-                 &m.cost[i], &m.owner[i]);
-  }
+  const std::size_t first = lattice.at(box.x0, box.y0);
+  const SearchBox shape{box.x1 - box.x0, box.y1 - box.y0, lattice.stride};
+  lattice.kernels.take_cheaper(lattice.readings(m.q, first), &m.core[first], shape, in_floats(plane), label,
+                               m.row.data(), &m.free_q[first], &m.owner[first]);
 }
 
 std::uint32_t mark_owned(const Lattice& lattice, std::size_t first, std::int32_t count,
-                         std::int32_t label) noexcept {
-  const std::int32_t* owner = &lattice.memory.owner[first];
+                         float label) noexcept {
+  const float* owner = &lattice.memory.owner[first];
   std::uint8_t* core = &lattice.memory.core[first];
   std::int32_t owned = 0;
   for (std::int32_t i = 0; i < count; ++i) {
@@ -77,18 +40,17 @@ std::uint32_t mark_owned(const Lattice& lattice, std::size_t first, std::int32_t
 }  // namespace
 
 void contest_cells(const Lattice& lattice, std::span<const ProposedPlane> candidates) noexcept {
-  for (std::size_t i = 0; i < lattice.memory.owner.size(); ++i) {
-    lattice.memory.owner[i] = 0;
-    lattice.memory.cost[i] = unowned;
-  }
-  std::int32_t label = 0;
+  // What is free is of no more use: its memory has the costs.
+  for (float& cost : lattice.memory.free_q) cost = unowned;
+  for (float& owner : lattice.memory.owner) owner = 0;
+  float label = 0;
   for (const ProposedPlane& candidate : candidates) contest_for(lattice, candidate, ++label);
 }
 
 void refit_owners(const Lattice& lattice, std::span<ProposedPlane> candidates, std::uint32_t least,
                   double sigma) noexcept {
   const detail::RansacSearchMemory& m = lattice.memory;
-  std::int32_t label = 0;
+  float label = 0;
   for (ProposedPlane& candidate : candidates) {
     ++label;
     std::uint32_t cells = 0;

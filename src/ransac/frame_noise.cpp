@@ -16,25 +16,20 @@ constexpr std::uint32_t least_windows = 4;
 constexpr std::uint32_t least_readings = 48;
 constexpr std::uint64_t first_stream = std::uint64_t{1} << 33U;
 
+void widen(Window& w) noexcept {
+  for (std::uint32_t i = 0; i < padded(w); ++i) w.w[i] /= widening;
+}
+
 /// Root mean square of the residuals in gates, those beyond three times of it left out; 0 if that leaves less
 /// than half of the window.
-double trimmed_rms(const Window& w, const InverseDepthPlane& plane) noexcept {
-  const double c = plane.c + plane.a * w.u0 + plane.b * w.v0;
-  double limit = 1;
+double trimmed_rms(const Lattice& lattice, const Window& w, const SearchPlane& plane) noexcept {
+  float limit = 1;
   double mean = 0;
   for (int round = 0; round < 4; ++round) {
-    double sum = 0;
-    std::uint32_t inside = 0;
-    for (std::uint32_t i = 0; i < w.count; ++i) {
-      const double p = plane.a * static_cast<double>(w.u[i]) + plane.b * static_cast<double>(w.v[i]) + c;
-      const double e = (static_cast<double>(w.q[i]) - p) * static_cast<double>(w.z[i]);
-      if (e * e >= limit) continue;
-      sum += e * e;
-      ++inside;
-    }
-    if (2 * inside < w.count) return 0;
-    mean = sum / inside;
-    limit = 9 * mean;
+    const SearchInliers inside = lattice.kernels.find_inliers(readings_of(w), padded(w), plane, limit);
+    if (2 * inside.count < w.count) return 0;
+    mean = static_cast<double>(inside.squares) / inside.count;
+    limit = static_cast<float>(9 * mean);
   }
   return square_root(mean) * static_cast<double>(widening);
 }
@@ -51,10 +46,11 @@ double frame_noise(const Lattice& lattice, const RansacSearchOptions& options) n
   for (std::int32_t row = shape.half; row < lattice.rows; row += apart) {
     for (std::int32_t column = shape.half; column < lattice.columns && count < most_windows;
          column += apart) {
-      gather(lattice, column, row, shape, widening, window);
+      gather(lattice, column, row, shape, window);
       if (window.count < least_readings) continue;
-      const WindowPlane found = best_of_window(window, options, stream++);
-      const double rms = trimmed_rms(window, found.plane) * options.gate.sigmas;
+      widen(window);
+      const WindowPlane found = best_of_window(lattice, window, options, stream++);
+      const double rms = trimmed_rms(lattice, window, found.local) * options.gate.sigmas;
       if (!(rms > 0)) continue;
       std::uint32_t at = count++;
       for (; at > 0 && sorted[at - 1] > rms; --at) sorted[at] = sorted[at - 1];

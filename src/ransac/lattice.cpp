@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "ransac/lattice.hpp"
 
-#include "ransac/reading.hpp"
+#include <cstring>
+
 #include "straightedge/random.hpp"
 
 namespace straightedge::ransac {
@@ -16,48 +17,88 @@ void clear(const Lattice& lattice) noexcept {
   const detail::RansacSearchMemory& m = lattice.memory;
   for (std::size_t i = 0; i < m.q.size(); ++i) {
     m.u[i] = m.v[i] = 0;
-    m.q[i] = m.free_q[i] = no_reading;
+    m.q[i] = no_reading;
     m.w[i] = 1;
   }
   for (std::size_t i = 0; i < m.hit.size(); ++i) m.hit[i] = m.core[i] = 0;
 }
 
-/// A part of the picture.
-struct Pixels {
+/// A part of the picture, and its readings.
+struct Square {
+  ImageView<const float> inverse_depth;
+  ImageView<const std::uint16_t> mask;
   std::int32_t u0 = 0, v0 = 0, width = 0, height = 0;
+
+  bool masked(std::int32_t u, std::int32_t v) const noexcept {
+    return mask.data != nullptr && mask.at(u0 + u, v0 + v) != 0;
+  }
+  /// 0: none that takes part.
+  float reading(std::int32_t u, std::int32_t v) const noexcept {
+    // The mask is asked first: it is smaller.
+    if (masked(u, v)) return 0;
+    const float q = inverse_depth.at(u0 + u, v0 + v);
+    return q > 0 && q <= 1e6F ? q : 0;
+  }
 };
 
-/// False: no reading, or masked. The mask is asked first: it is cheaper.
-bool read_free(ImageView<const float> inverse_depth, ImageView<const std::uint16_t> mask, std::int32_t u,
-               std::int32_t v, const PlaneGate& gate, float& q, float& w) noexcept {
-  if (mask.data != nullptr && mask.at(u, v) != 0) return false;
-  q = inverse_depth.at(u, v);
-  if (!(q > 0)) return false;
-  w = inverse_gate(gate, q);
-  return is_reading(q, w);
+/// Masks leave out most of a picture.
+bool all_masked(const Square& s) noexcept {
+  if (s.mask.data == nullptr) return false;
+  std::uint32_t free = 0;
+  for (std::int32_t v = 0; v < s.height; ++v) {
+    const std::uint16_t* row = s.mask.row(s.v0 + v) + s.u0;
+    std::uint16_t any = 0;
+    for (std::int32_t u = 0; u < s.width; ++u) any = static_cast<std::uint16_t>(any | (row[u] == 0 ? 1 : 0));
+    free |= any;
+  }
+  return free == 0;
 }
 
-/// Begins at a pixel drawn by chance and takes the first reading from there on, row by row and round again.
-bool draw_reading(const Lattice& lattice, const Pixels& p, std::size_t cell,
-                  ImageView<const float> inverse_depth, ImageView<const std::uint16_t> mask,
-                  const PlaneGate& gate, Pcg32& random) noexcept {
-  std::int32_t u = p.u0 + static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(p.width)));
-  std::int32_t v = p.v0 + static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(p.height)));
-  for (std::int32_t tried = 0; tried < p.width * p.height; ++tried) {
-    float q = 0, w = 0;
-    if (read_free(inverse_depth, mask, u, v, gate, q, w)) {
-      lattice.memory.u[cell] = static_cast<float>(u);
-      lattice.memory.v[cell] = static_cast<float>(v);
-      lattice.memory.q[cell] = lattice.memory.free_q[cell] = q;
-      lattice.memory.w[cell] = w;
-      return true;
+/// The first reading behind pixel (u, v), row by row and round again; u and v become its place. 0: none.
+float next_reading(const Square& s, std::int32_t& u, std::int32_t& v) noexcept {
+  for (std::int32_t tried = 1; tried < s.width * s.height; ++tried) {
+    if (++u == s.width) {
+      u = 0;
+      v = v + 1 == s.height ? 0 : v + 1;
     }
-    if (++u == p.u0 + p.width) {
-      u = p.u0;
-      if (++v == p.v0 + p.height) v = p.v0;
-    }
+    const float q = s.reading(u, v);
+    if (q > 0) return q;
   }
-  return false;
+  return 0;
+}
+
+/// The readings of some cells beside one another, of each the first from pixel (du, dv) of its square on.
+void take_readings(const Lattice& lattice, Square s, std::int32_t column, std::int32_t end, std::int32_t row,
+                   std::int32_t du, std::int32_t dv) noexcept {
+  s.u0 = column * lattice.cell;
+  s.width = clamped(s.inverse_depth.width - s.u0, (end - column) * lattice.cell);
+  if (all_masked(s)) return;
+  for (; column < end; ++column) {
+    s.u0 = column * lattice.cell;
+    s.width = clamped(s.inverse_depth.width - s.u0, lattice.cell);
+    std::int32_t u = du < s.width ? du : s.width - 1, v = dv;
+    float q = s.reading(u, v);
+    if (!(q > 0) && !all_masked(s)) q = next_reading(s, u, v);
+    if (!(q > 0)) continue;
+    const std::size_t cell = lattice.at(column, row);
+    lattice.memory.u[cell] = static_cast<float>(s.u0 + u);
+    lattice.memory.v[cell] = static_cast<float>(s.v0 + v);
+    lattice.memory.q[cell] = q;
+  }
+}
+
+/// The gates of the readings of a row, and the readings that no candidate has taken: all of them.
+std::uint32_t weigh_row(const Lattice& lattice, std::size_t first, const PlaneGate& gate) noexcept {
+  const detail::RansacSearchMemory& m = lattice.memory;
+  const double square = gate.fixed_m > 0 ? gate.fixed_m : gate.sigmas * gate.floor_m;
+  const double least = gate.fixed_m > 0 ? 0 : gate.sigmas * gate.inverse_sigma;
+  const std::int32_t count = (lattice.columns + cell_lanes - 1) / cell_lanes * cell_lanes;
+  lattice.kernels.weigh(&m.q[first], &m.w[first], count, static_cast<float>(least), static_cast<float>(square),
+                        no_reading);
+  std::uint32_t readings = 0;
+  for (std::size_t i = first; i < first + static_cast<std::size_t>(lattice.columns); ++i)
+    readings += m.q[i] > 0 ? 1U : 0U;
+  return readings;
 }
 
 }  // namespace
@@ -85,14 +126,16 @@ std::uint32_t draw_lattice(const Lattice& lattice, ImageView<const float> invers
     Pcg32 random(options.seed, static_cast<std::uint64_t>(row));
     const std::int32_t v0 = row * lattice.cell;
     const std::int32_t height = clamped(inverse_depth.height - v0, lattice.cell);
-    for (std::int32_t column = 0; column < lattice.columns; ++column) {
-      const std::int32_t u0 = column * lattice.cell;
-      const std::int32_t width = clamped(inverse_depth.width - u0, lattice.cell);
-      if (draw_reading(lattice, {u0, v0, width, height}, lattice.at(column, row), inverse_depth, mask,
-                       options.gate, random))
-        ++readings;
+    for (std::int32_t column = 0; column < lattice.columns; column += cell_lanes) {
+      // One draw for sixteen cells: so memory is read in rows.
+      const auto du = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(lattice.cell)));
+      const auto dv = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(height)));
+      const std::int32_t end = clamped(column + cell_lanes, lattice.columns);
+      take_readings(lattice, {inverse_depth, mask, 0, v0, 0, height}, column, end, row, du, dv);
     }
+    readings += weigh_row(lattice, lattice.at(0, row), options.gate);
   }
+  std::memcpy(lattice.memory.free_q.data(), lattice.memory.q.data(), lattice.memory.q.size_bytes());
   return readings;
 }
 

@@ -15,7 +15,10 @@ namespace straightedge::ransac {
 inline constexpr float no_reading = -1e30F;
 
 /// Cells of one row are worked on in groups of so many; see CellBox.
-inline constexpr std::int32_t cell_lanes = 8;
+inline constexpr std::int32_t cell_lanes = search_lanes;
+
+/// Empty cells left of a row; on the right there are those of the next row.
+inline constexpr std::int32_t border = 16;
 
 /// One reading of every cell of the picture. Rows are `stride` cells long and have a border of empty cells.
 struct Lattice {
@@ -23,19 +26,29 @@ struct Lattice {
       : cell(options.cell),
         columns((size.width + cell - 1) / cell),
         rows((size.height + cell - 1) / cell),
-        stride((columns + 2 + 15) / 16 * 16),
-        memory(arrays) {}
+        stride((columns + 15) / 16 * 16 + border),
+        memory(arrays),
+        kernels(*options.kernels) {}
 
   std::int32_t cell;  ///< pixels
   std::int32_t columns, rows, stride;
   const detail::RansacSearchMemory& memory;
+  const PlaneSearchKernels& kernels;
 
+  /// The readings from a place in the arrays on.
+  SearchReadings readings(std::span<const float> q, std::size_t place) const noexcept {
+    return {&memory.u[place], &memory.v[place], &q[place], &memory.w[place]};
+  }
   /// Place in the arrays; column and row counted without the border.
   std::size_t at(std::int32_t column, std::int32_t row) const noexcept {
     return static_cast<std::size_t>(row + 1) * static_cast<std::size_t>(stride) +
-           static_cast<std::size_t>(column + 1);
+           static_cast<std::size_t>(column + border);
   }
 };
+
+inline SearchPlane in_floats(const InverseDepthPlane& p) noexcept {
+  return {static_cast<float>(p.a), static_cast<float>(p.b), static_cast<float>(p.c)};
+}
 
 /// Cells [x0, x1) x [y0, y1). x0 is a multiple of cell_lanes, and so is x1 unless it is the last column: then
 /// the border fills the last group up.

@@ -14,17 +14,23 @@ using ransac::Lattice;
 using ransac::Window;
 using ransac::WindowShape;
 
-/// Windows of 49, 21 and 11 cells: about 200 readings each.
-constexpr WindowShape window_shapes[] = {{24, 3}, {10, 2}, {5, 1}};
+/// Windows of 49, 21 and 13 cells: about 150 readings each.
+constexpr WindowShape window_shapes[] = {{24, 4}, {10, 2}, {6, 1}};
 
 /// Streams of windows begin above those of the rows of cells.
 constexpr std::uint64_t first_window_stream = std::uint64_t{1} << 32U;
 
+/// Boxes grow by this.
+constexpr std::int32_t growing = 4;
+
 /// So many readings are enough for a round of growing.
 constexpr std::uint32_t enough_cells = 1000;
 
+/// Windows hold samples of what grows: their residuals may be so many times as large before growing is in vain.
+constexpr double window_slack = 1.1;
+
 /// What memory.owner says of a cell during the search: a rough plane has it.
-constexpr std::int32_t rough_cell = 1;
+constexpr float rough_cell = 1;
 
 struct Search {
   const RansacSearchOptions& options;
@@ -34,6 +40,7 @@ struct Search {
   double max_rms = 1;  ///< gates
   bool rough = false;
   Window& window;
+  std::uint32_t rough_planes = 0;  ///< that wait in memory.rough
 };
 
 /// Fewer than six readings carry no statistics, however small the plane may be.
@@ -59,12 +66,24 @@ Growth grow_to(Search& s, const ransac::CellBox& box, std::uint32_t least, Inver
   return rms_gates <= s.max_rms ? Growth::grown : Growth::too_rough;
 }
 
-/// Windows round the marked cells need not be searched again in this round: they would end the same way.
-void remember_rough(Search& s, const ransac::CellBox& box) noexcept {
+/// The plane waits for step 5. Windows round the marked cells need not be searched again with this shape: they
+/// would end the same way.
+void set_aside(Search& s, std::int32_t column, std::int32_t row, std::int32_t half, const InverseDepthPlane& plane,
+               const ransac::CellBox& box) noexcept {
   const detail::RansacSearchMemory& m = s.lattice.memory;
-  for (std::int32_t row = box.y0; row < box.y1; ++row)
-    for (std::int32_t column = box.x0; column < box.x1; ++column) {
-      const std::size_t i = s.lattice.at(column, row);
+  if (s.rough_planes < m.rough.size()) {
+    const SearchPlane p = ransac::in_floats(plane);
+    m.rough[s.rough_planes++] = {p.a, p.b, p.c, static_cast<std::int16_t>(column), static_cast<std::int16_t>(row),
+                                 static_cast<std::int16_t>(half)};
+  }
+  // Of the cells that are middles of windows.
+  const auto first = [&](std::int32_t from, std::int32_t at) noexcept {
+    const std::int32_t place = at - (at - from) / half * half;
+    return place < from ? place + half : place;
+  };
+  for (std::int32_t y = first(box.y0, row); y < box.y1; y += half)
+    for (std::int32_t x = first(box.x0, column); x < box.x1; x += half) {
+      const std::size_t i = s.lattice.at(x, y);
       m.owner[i] = m.core[i] != 0 ? rough_cell : m.owner[i];
     }
 }
@@ -78,16 +97,15 @@ bool inside(const ransac::CellBox& a, const ransac::CellBox& b, const Lattice& l
 bool grow(Search& s, std::int32_t column, std::int32_t row, std::int32_t half, InverseDepthFit& fit,
           ransac::Core& core) noexcept {
   const std::int32_t longest = s.lattice.columns > s.lattice.rows ? s.lattice.columns : s.lattice.rows;
-  int rounds_inside = 0;
-  for (std::int32_t h = half;; h *= 2) {
-    const bool last = rounds_inside == 2 || h >= longest;
-    const ransac::CellBox box =
-        last ? ransac::whole(s.lattice) : ransac::box_round(s.lattice, column, row, h);
+  for (std::int32_t h = half;; h *= growing) {
+    // Twice half of the picture's longer side is nearly all of it.
+    const bool last = h > half && 2 * h >= longest;
+    const ransac::CellBox box = last ? ransac::whole(s.lattice) : ransac::box_round(s.lattice, column, row, h);
     const Growth growth = grow_to(s, box, last ? s.least_cells : s.least_cells / 2, fit, core);
-    if (growth == Growth::too_rough) remember_rough(s, core.bounds);
+    if (growth == Growth::too_rough && !s.rough) set_aside(s, column, row, half, fit.plane, core.bounds);
     if (growth != Growth::grown) return false;
     if (last) return true;
-    rounds_inside = inside(core.bounds, box, s.lattice) ? rounds_inside + 1 : 0;
+    if (h > half && inside(core.bounds, box, s.lattice)) return core.cells >= s.least_cells;
   }
 }
 
@@ -115,15 +133,21 @@ void search_window(Search& s, std::int32_t column, std::int32_t row, const Windo
   const std::uint32_t few = s.least_cells / share;
   const std::uint32_t least = few < 6 ? 6 : few;
   while (s.result.candidates < s.lattice.memory.candidates.size()) {
-    ransac::gather(s.lattice, column, row, shape, 1, s.window);
+    if (ransac::count_free(s.lattice, column, row, shape.half) < least) return;
+    ransac::gather(s.lattice, column, row, shape, s.window);
     if (s.window.count < least) return;
     const ransac::WindowPlane found =
-        ransac::best_of_window(s.window, s.options, first_window_stream + s.result.windows++);
+        ransac::best_of_window(s.lattice, s.window, s.options, first_window_stream + s.result.windows++);
     s.result.draws += found.draws;
     if (found.inliers < least) return;
     InverseDepthFit fit;
     fit.plane = found.plane;
     ransac::Core core;
+    if (found.rms > window_slack * s.max_rms) {
+      const ransac::CellBox box = ransac::box_round(s.lattice, column, row, shape.half);
+      set_aside(s, column, row, shape.half, fit.plane, ransac::mark_core(s.lattice, s.lattice.memory.free_q, fit.plane, box).bounds);
+      return;
+    }
     if (!grow(s, column, row, shape.half, fit, core)) return;
     take(s, fit, core);
   }
@@ -132,11 +156,26 @@ void search_window(Search& s, std::int32_t column, std::int32_t row, const Windo
 /// Steps 3 and 4 with windows of one shape.
 void search_windows(Search& s, const WindowShape& shape) noexcept {
   const Lattice& l = s.lattice;
-  for (std::int32_t& owner : l.memory.owner) owner = 0;
+  // Windows smaller than the smallest plane find nothing that larger ones do not.
+  if (static_cast<std::uint32_t>((2 * shape.half + 1) * (2 * shape.half + 1)) < s.least_cells) return;
+  for (float& owner : l.memory.owner) owner = 0;
   const std::int32_t first = shape.half / 2;
   for (std::int32_t row = first; row < l.rows; row += shape.half)
     for (std::int32_t column = first; column < l.columns; column += shape.half)
       if (l.memory.owner[l.at(column, row)] != rough_cell) search_window(s, column, row, shape);
+}
+
+/// Step 5.
+void grow_rough(Search& s) noexcept {
+  s.rough = true;
+  s.max_rms = s.options.rough_rms;
+  for (const detail::RansacRoughPlane& r : s.lattice.memory.rough.first(s.rough_planes)) {
+    if (s.result.candidates == s.lattice.memory.candidates.size()) return;
+    InverseDepthFit fit;
+    fit.plane = {static_cast<double>(r.a), static_cast<double>(r.b), static_cast<double>(r.c)};
+    ransac::Core core;
+    if (grow(s, r.column, r.row, r.half, fit, core)) take(s, fit, core);
+  }
 }
 
 /// Step 6.
@@ -194,11 +233,7 @@ RansacSearchResult RansacSearch::run(ImageView<const float> inverse_depth,
   Search search{
       options_, lattice, result, least_cells(options_), options_.max_rms, false, memory_.window.front()};
   for (const WindowShape& shape : window_shapes) search_windows(search, shape);
-  if (options_.rough_rms > options_.max_rms) {
-    search.max_rms = options_.rough_rms;
-    search.rough = true;
-    for (const WindowShape& shape : window_shapes) search_windows(search, shape);
-  }
+  if (options_.rough_rms > options_.max_rms) grow_rough(search);
   // Step 6.
   contest(search);
   if (result.candidates > out.size()) {

@@ -4,118 +4,149 @@
 
 #include "ransac/triple.hpp"
 #include "straightedge/ransac_stop.hpp"
+#include "straightedge/square_root.hpp"
 
 namespace straightedge::ransac {
 namespace {
 
-/// Twice the area of a triangle of pixels below which its plane is chance: the noise of the three readings
-/// tilts it at will.
-constexpr double least_area = 32;
+constexpr std::uint32_t at_once = search_lanes;
 
-Rows rows_of(const Window& w) noexcept {
-  return {w.x, w.y, w.z, w.w, padded(w.count)};
-}
-
-void append(const Lattice& lattice, std::size_t cell, float widening, Window& w) noexcept {
-  const std::uint32_t k = w.count++;
-  const float inverse_gate = lattice.memory.w[cell] / widening;
-  w.u[k] = lattice.memory.u[cell] - static_cast<float>(w.u0);
-  w.v[k] = lattice.memory.v[cell] - static_cast<float>(w.v0);
-  w.q[k] = lattice.memory.free_q[cell];
-  w.x[k] = w.u[k] * inverse_gate;
-  w.y[k] = w.v[k] * inverse_gate;
-  w.z[k] = inverse_gate;
-  w.w[k] = w.q[k] * inverse_gate;
-}
-
-Coefficients coefficients(const InverseDepthPlane& p) noexcept {
-  return {static_cast<float>(-p.a), static_cast<float>(-p.b), static_cast<float>(-p.c), 1};
-}
-
-/// False: equal, on a line, or nearly so.
-bool plane_through(const Window& w, const Triple& triple, InverseDepthPlane& plane) noexcept {
-  double u[3], v[3], q[3];
-  for (int i = 0; i < 3; ++i) {
-    u[i] = static_cast<double>(w.u[triple.of[i]]);
-    v[i] = static_cast<double>(w.v[triple.of[i]]);
-    q[i] = static_cast<double>(w.q[triple.of[i]]);
+void draw_triples(const Window& w, Pcg32& random, SearchTriples& triples) noexcept {
+  for (std::uint32_t l = 0; l < at_once; ++l) {
+    const Triple triple = draw_three(random, w.count);
+    for (int i = 0; i < 3; ++i) {
+      triples.u[i][l] = w.u[triple.of[i]];
+      triples.v[i][l] = w.v[triple.of[i]];
+      triples.q[i][l] = w.q[triple.of[i]];
+    }
   }
-  const double area = (u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]);
-  if (area * area < least_area * least_area) return false;
-  plane.a = ((q[1] - q[0]) * (v[2] - v[0]) - (q[2] - q[0]) * (v[1] - v[0])) / area;
-  plane.b = ((u[1] - u[0]) * (q[2] - q[0]) - (u[2] - u[0]) * (q[1] - q[0])) / area;
-  plane.c = q[0] - plane.a * u[0] - plane.b * v[0];
+}
+
+/// Of the first `count`; of equals the first.
+std::uint32_t cheapest(const SearchPlanes& planes, std::uint32_t count) noexcept {
+  std::uint32_t best = 0;
+  for (std::uint32_t l = 1; l < count; ++l)
+    if (planes.cost[l] < planes.cost[best]) best = l;
+  return best;
+}
+
+/// Least squares from sums of the residuals r of a plane: the plane that is to be added to it. False: the
+/// readings are on a line.
+bool solve(const SearchSums& s, SearchPlane& plane) noexcept {
+  const double n = static_cast<double>(s.n);
+  if (!(n >= 3)) return false;
+  const double u = static_cast<double>(s.u) / n, v = static_cast<double>(s.v) / n, r = static_cast<double>(s.r) / n;
+  const double uu = static_cast<double>(s.uu) - n * u * u, uv = static_cast<double>(s.uv) - n * u * v;
+  const double vv = static_cast<double>(s.vv) - n * v * v;
+  const double ur = static_cast<double>(s.ur) - n * u * r, vr = static_cast<double>(s.vr) - n * v * r;
+  const double determinant = uu * vv - uv * uv;
+  if (!(determinant > 1e-6 * uu * vv)) return false;
+  const double a = (ur * vv - vr * uv) / determinant, b = (vr * uu - ur * uv) / determinant;
+  plane.a += static_cast<float>(a);
+  plane.b += static_cast<float>(b);
+  plane.c += static_cast<float>(r - a * u - b * v);
   return true;
 }
 
-/// Least squares on the readings within so many gates.
-bool refit(const Window& w, double gates, double sigma, InverseDepthPlane& plane) noexcept {
-  const Coefficients k = coefficients(plane);
-  const auto most = static_cast<float>(gates * gates);
-  InverseDepthMoments m;
-  for (std::uint32_t i = 0; i < w.count; ++i) {
-    const float e = (k.x * w.x[i] + k.y * w.y[i]) + (k.z * w.z[i] + k.w * w.w[i]);
-    if (e * e < most)
-      m.add(static_cast<double>(w.u[i]), static_cast<double>(w.v[i]), static_cast<double>(w.q[i]));
-  }
-  InverseDepthFit fit;
-  if (fit_inverse_depth(m, sigma, fit) != Status::ok) return false;
-  plane = fit.plane;
-  return true;
+struct Scored {
+  SearchPlane plane;
+  SearchInliers inliers;
+  float cost = 0;
+};
+
+void score(const Lattice& lattice, const Window& w, Scored& s) noexcept {
+  s.inliers = lattice.kernels.find_inliers(readings_of(w), padded(w), s.plane, 1);
+  s.cost = s.inliers.squares + static_cast<float>(w.count - s.inliers.count);
 }
 
 /// Local optimisation: refits with the threshold from wide to narrow, as long as they cost less.
-float optimised(const Window& w, double sigma, float cost, InverseDepthPlane& plane) noexcept {
-  for (const double gates : {1.5, 1.0}) {
-    InverseDepthPlane refitted = plane;
-    if (!refit(w, gates, sigma, refitted)) break;
-    const float refitted_cost = msac_cost(rows_of(w), coefficients(refitted));
-    if (!(refitted_cost < cost)) continue;
-    cost = refitted_cost;
-    plane = refitted;
+void optimise(const Lattice& lattice, const Window& w, Scored& best) noexcept {
+  score(lattice, w, best);
+  for (const float gates : {1.5F, 1.0F}) {
+    SearchSums sums;
+    lattice.kernels.sum_inliers(readings_of(w), padded(w), best.plane, gates * gates, sums);
+    Scored refitted{best.plane, {}, 0};
+    if (!solve(sums, refitted.plane)) break;
+    score(lattice, w, refitted);
+    if (refitted.cost < best.cost) best = refitted;
   }
-  return cost;
+}
+
+void append_row(const Lattice& lattice, std::size_t first, std::int32_t columns, std::int32_t step,
+                Window& window) noexcept {
+  const detail::RansacSearchMemory& m = lattice.memory;
+  const auto u0 = static_cast<float>(window.u0), v0 = static_cast<float>(window.v0);
+  std::uint32_t k = window.count;
+  for (std::int32_t c = 0; c < columns; ++c, first += static_cast<std::size_t>(step)) {
+    // Written in any case; what is no reading the next one overwrites.
+    window.u[k] = m.u[first] - u0;
+    window.v[k] = m.v[first] - v0;
+    window.q[k] = m.free_q[first];
+    window.w[k] = m.w[first];
+    k += m.free_q[first] > 0 ? 1U : 0U;
+  }
+  window.count = k;
 }
 
 }  // namespace
 
+std::uint32_t count_free(const Lattice& lattice, std::int32_t column, std::int32_t row, std::int32_t half) noexcept {
+  const std::int32_t c0 = column > half ? column - half : 0, r0 = row > half ? row - half : 0;
+  const std::int32_t c1 = column + half < lattice.columns ? column + half + 1 : lattice.columns;
+  const std::int32_t r1 = row + half < lattice.rows ? row + half + 1 : lattice.rows;
+  return lattice.kernels.count_readings(&lattice.memory.free_q[lattice.at(c0, r0)],
+                                        {c1 - c0, r1 - r0, lattice.stride});
+}
+
 void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, const WindowShape& shape,
-            float widening, Window& window) noexcept {
+            Window& window) noexcept {
   window.count = 0;
   window.u0 = column * lattice.cell;
   window.v0 = row * lattice.cell;
-  for (std::int32_t r = row - shape.half; r <= row + shape.half; r += shape.step) {
-    if (r < 0 || r >= lattice.rows) continue;
-    for (std::int32_t c = column - shape.half; c <= column + shape.half; c += shape.step) {
-      if (c < 0 || c >= lattice.columns || window.count == Window::capacity) continue;
-      const std::size_t cell = lattice.at(c, r);
-      if (lattice.memory.free_q[cell] > 0) append(lattice, cell, widening, window);
-    }
+  std::int32_t c0 = column - shape.half, r0 = row - shape.half;
+  while (c0 < 0) c0 += shape.step;
+  while (r0 < 0) r0 += shape.step;
+  const std::int32_t c1 = column + shape.half < lattice.columns ? column + shape.half : lattice.columns - 1;
+  const std::int32_t r1 = row + shape.half < lattice.rows ? row + shape.half : lattice.rows - 1;
+  const std::int32_t columns = c1 < c0 ? 0 : (c1 - c0) / shape.step + 1;
+  for (std::int32_t r = r0; r <= r1; r += shape.step)
+    append_row(lattice, lattice.at(c0, r), columns, shape.step, window);
+  for (std::uint32_t k = window.count; k < padded(window); ++k) {
+    window.u[k] = window.v[k] = 0;
+    window.q[k] = no_reading;
+    window.w[k] = 1;
   }
-  for (std::uint32_t k = window.count; k < padded(window.count); ++k)
-    window.x[k] = window.y[k] = window.z[k] = window.w[k] = 0;
 }
 
-WindowPlane best_of_window(const Window& window, const RansacSearchOptions& options,
+WindowPlane best_of_window(const Lattice& lattice, const Window& window, const RansacSearchOptions& options,
                            std::uint64_t stream) noexcept {
   WindowPlane found;
   const std::uint32_t n = window.count;
+  if (n < 3) return found;
   const auto most = static_cast<std::uint32_t>(options.max_draws);
   Pcg32 random(options.seed, stream);
-  auto best_cost = static_cast<float>(n);
-  std::uint32_t needed = n < 3 ? 0 : most;
-  for (; found.draws < needed; ++found.draws) {
-    const Triple triple = draw_three(random, n);
-    InverseDepthPlane plane;
-    if (!plane_through(window, triple, plane)) continue;
-    const float cost = msac_cost(rows_of(window), coefficients(plane));
-    if (!(cost < best_cost)) continue;
-    best_cost = optimised(window, options.gate.inverse_sigma, cost, plane);
-    found.plane = plane;
-    found.inliers = count_inliers(rows_of(window), n, coefficients(plane));
-    needed = draws_needed(triple_probability(found.inliers, n), options.confidence, most);
-  }
-  found.plane.c -= found.plane.a * window.u0 + found.plane.b * window.v0;
+  Scored best;
+  best.cost = static_cast<float>(n);
+  do {
+    SearchTriples triples;
+    SearchPlanes planes;
+    draw_triples(window, random, triples);
+    lattice.kernels.try_triples(readings_of(window), n, triples, planes);
+    const std::uint32_t tried = most - found.draws < at_once ? most - found.draws : at_once;
+    found.draws += tried;
+    const std::uint32_t l = cheapest(planes, tried);
+    if (!(planes.cost[l] < best.cost)) continue;
+    Scored scored{{planes.a[l], planes.b[l], planes.c[l]}, {}, 0};
+    optimise(lattice, window, scored);
+    if (scored.cost < best.cost) best = scored;
+  } while (found.draws < most && miss_probability(triple_probability(best.inliers.count, n), found.draws) >
+                                     1 - options.confidence);
+  found.inliers = best.inliers.count;
+  if (found.inliers == 0) return found;
+  found.rms = square_root(static_cast<double>(best.inliers.squares) / found.inliers);
+  found.local = best.plane;
+  const auto a = static_cast<double>(best.plane.a), b = static_cast<double>(best.plane.b);
+  found.plane = {a, b, static_cast<double>(best.plane.c) - a * window.u0 - b * window.v0};
   return found;
 }
 

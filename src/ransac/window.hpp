@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "ransac/lattice.hpp"
-#include "ransac/rows.hpp"
 #include "straightedge/inverse_depth.hpp"
 
 namespace straightedge::ransac {
@@ -16,23 +15,35 @@ struct WindowShape {
   std::int32_t step = 1;
 };
 
-/// Every shape's readings fit: at most 17 columns and rows are looked at.
+/// Every shape's readings fit: at most 13 columns and rows are looked at.
 using Window = detail::RansacWindow;
 
-/// `widening`: the gate is so many times as wide as the lattice says.
+inline SearchReadings readings_of(const Window& w) noexcept {
+  return {w.u, w.v, w.q, w.w};
+}
+constexpr std::uint32_t padded(const Window& w) noexcept {
+  return (w.count + search_lanes - 1) / search_lanes * search_lanes;
+}
+
+/// Free readings of a window's cells and of some to the right of it: where there are few, it need not be
+/// gathered.
+std::uint32_t count_free(const Lattice& lattice, std::int32_t column, std::int32_t row, std::int32_t half) noexcept;
+
 void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, const WindowShape& shape,
-            float widening, Window& window) noexcept;
+            Window& window) noexcept;
 
 /// What a search in one window found.
 struct WindowPlane {
   InverseDepthPlane plane;  ///< counted from pixel (0, 0)
+  SearchPlane local;        ///< the same, as the window counts
   std::uint32_t inliers = 0;
   std::uint32_t draws = 0;
+  double rms = 0;  ///< of their residuals, gates
 };
 
-/// RANSAC among the readings of a window: triples from `stream`, MSAC cost, local optimisation of each new
-/// best, stop rule. No inliers: nothing found.
-WindowPlane best_of_window(const Window& window, const RansacSearchOptions& options,
+/// RANSAC among the readings of a window: triples from `stream`, sixteen at a time, their MSAC cost, local
+/// optimisation of the best of them, stop rule. No inliers: nothing found.
+WindowPlane best_of_window(const Lattice& lattice, const Window& window, const RansacSearchOptions& options,
                            std::uint64_t stream) noexcept;
 
 }  // namespace straightedge::ransac

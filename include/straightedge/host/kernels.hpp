@@ -9,6 +9,8 @@
 #include "straightedge/depth_kernels.hpp"
 #include "straightedge/host/result.hpp"
 #include "straightedge/hough_kernels.hpp"
+#include "straightedge/hough_patch_kernels.hpp"
+#include "straightedge/plane_search_kernels.hpp"
 #include "straightedge/ransac_kernels.hpp"
 
 /// Which of the core's tables of kernels this machine can run. All give the same bits; they differ in time.
@@ -21,6 +23,8 @@ struct KernelSet {
   const RansacKernels* ransac = &plain_ransac_kernels;
   const HoughKernels* hough = &plain_hough_kernels;
   const DepthKernels* depth = &plain_depth_kernels;
+  const PlaneSearchKernels* plane_search = &plain_plane_search_kernels;
+  const HoughPatchKernels* hough_patches = &plain_hough_patch_kernels;
 };
 
 /// Those that the processor has the instructions for: plain first, the fastest last.

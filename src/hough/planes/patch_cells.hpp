@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "straightedge/hough_patch_kernels.hpp"
 #include "straightedge/image.hpp"
 #include "straightedge/inverse_depth.hpp"
 
@@ -27,7 +28,8 @@ inline bool is_reading(const DepthInput& input, std::int32_t x, std::int32_t y) 
 
 /// Sums of the cells of hough_patch_side squared, row by row, u and v from pixel (0, 0). One pass over the
 /// picture. Within a cell q counts from one of its readings, so that float sums lose nothing that matters.
-void sum_cells(const DepthInput& input, std::span<InverseDepthMoments> cells) noexcept;
+void sum_cells(const DepthInput& input, const HoughPatchKernels& kernels,
+               std::span<InverseDepthMoments> cells) noexcept;
 
 /// Cells of twice the side from four (at the borders fewer) of a level with this many columns and rows.
 void sum_four(std::span<const InverseDepthMoments> fine, Size fine_cells,

@@ -13,9 +13,11 @@ namespace {
 using hough::DepthInput;
 using hough::PatchScene;
 
-// A patch that knows its normal to nine degrees spreads its vote so thin that a plane of min_pixels has about
-// this part of them in its best cell.
-constexpr std::uint32_t thinnest = 64;
+// Patches that know their normal badly spread their votes thin: a plane has at least this part of them in its
+// best cell.
+constexpr std::uint32_t thinnest = 16;
+// A patch with less than this part of the readings that a plane needs is small change, spread over many cells.
+constexpr std::uint32_t smallest_voter = 64;
 
 /// What the steps of one run share.
 struct Search {
@@ -38,13 +40,13 @@ Status check(Size size, const DepthInput& input, const PinholeCamera& camera) no
 }
 
 /// Step 1. Returns the number of readings.
-std::uint32_t sum_levels(const DepthInput& input, std::int32_t largest,
+std::uint32_t sum_levels(const DepthInput& input, const HoughPatchOptions& options,
                          detail::HoughPatchMemory& memory) noexcept {
-  hough::sum_cells(input, memory.levels[0]);
+  hough::sum_cells(input, *options.kernels, memory.levels[0]);
   double readings = 0;
   for (const InverseDepthMoments& cell : memory.levels[0]) readings += cell.n;
   std::int32_t side = hough_patch_side;
-  for (std::size_t level = 1; 2 * side <= largest; ++level) {
+  for (std::size_t level = 1; 2 * side <= options.largest_patch; ++level) {
     const Size cells{(input.inverse_depth.width + side - 1) / side,
                      (input.inverse_depth.height + side - 1) / side};
     hough::sum_four(memory.levels[level - 1], cells, memory.levels[level]);
@@ -57,7 +59,10 @@ std::uint32_t sum_levels(const DepthInput& input, std::int32_t largest,
 std::span<HoughPatch> cut(const PatchScene& scene, detail::HoughPatchMemory& memory) noexcept {
   const std::size_t count = hough::make_patches(scene, memory.levels, memory.patches);
   const std::span<HoughPatch> patches = memory.patches.first(count);
-  for (HoughPatch& patch : patches) hough::shape_vote(scene, patch);
+  for (HoughPatch& patch : patches) {
+    hough::shape_vote(scene, patch);
+    patch.votes = patch.votes && patch.moments->n * smallest_voter >= scene.options.min_pixels;
+  }
   return patches;
 }
 
@@ -166,7 +171,7 @@ HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, con
                          memory_.accumulator.directions().cell_size(),
                          options_.max_distance_m / options_.accumulator.distances};
   // Step 1.
-  result.readings = sum_levels(input, options_.largest_patch, memory_);
+  result.readings = sum_levels(input, options_, memory_);
   // Step 2.
   const std::span<HoughPatch> patches = cut(scene, memory_);
   patches_ = patches.size();

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "ransac/kernels/lane_sums.hpp"
+#include "ransac/kernels/search_kernels.hpp"
+
+namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
+namespace {
+
+constexpr int least_neighbours = 3;
+
+// Loops over bytes take four times as many cells at once as lanes are, and are slow with what is left over.
+constexpr std::int32_t byte_step = lanes == 1 ? 1 : 4 * lanes;
+static_assert(byte_step <= search_overrun);
+
+void mark_row(const SearchReadings& row, std::int32_t count, const SearchPlane& p,
+              std::uint8_t* __restrict hit) noexcept {
+  for (std::int32_t i = 0; i < count; ++i) {
+    const float e = (row.q[i] - ((p.a * row.u[i] + p.b * row.v[i]) + p.c)) * row.w[i];
+    hit[i] = e * e < 1 ? 1 : 0;
+  }
+}
+
+void keep_row(const std::uint8_t* above, const std::uint8_t* hit, const std::uint8_t* below, std::int32_t count,
+              std::uint8_t* __restrict core, std::uint8_t* __restrict counts) noexcept {
+  for (std::int32_t i = 0; i < count; ++i) {
+    const auto near = static_cast<std::uint8_t>(above[i - 1] + above[i] + above[i + 1] + hit[i - 1] + hit[i + 1] +
+                                                below[i - 1] + below[i] + below[i + 1]);
+    const auto kept = static_cast<std::uint8_t>((near >= least_neighbours ? 1 : 0) & hit[i]);
+    core[i] = kept;
+    counts[i] = static_cast<std::uint8_t>(counts[i] + kept);
+  }
+}
+
+/// Adds the counts up, which begin anew.
+std::uint32_t collect(std::uint8_t* __restrict counts, std::int32_t count, std::uint8_t* __restrict columns) noexcept {
+  std::uint32_t sum = 0;
+  for (std::int32_t i = 0; i < count; ++i) {
+    sum += counts[i];
+    columns[i] = static_cast<std::uint8_t>(columns[i] | counts[i]);
+    counts[i] = 0;
+  }
+  return sum;
+}
+
+std::uint64_t eight(const std::uint8_t* bytes) noexcept {
+  std::uint64_t group = 0;
+  std::memcpy(&group, bytes, sizeof group);
+  return group;
+}
+
+bool any_in_row(const std::uint8_t* marks, std::int32_t count) noexcept {
+  std::uint64_t any = 0;
+  for (std::int32_t i = 0; i < count; i += 8) any |= eight(marks + i);
+  return any != 0;
+}
+
+/// Marks as floats, for lanes to load. A single lane needs no row of them.
+void spread_marks(const std::uint8_t* core, std::int32_t count, float* __restrict marks) noexcept {
+  if constexpr (lanes > 1)
+    for (std::int32_t i = 0; i < count; ++i) marks[i] = static_cast<float>(core[i]);
+}
+
+Lanes load_marks(const std::uint8_t* core, const float* marks) noexcept {
+  if constexpr (lanes > 1) return load(marks);
+  return all(*core);
+}
+
+/// Is there a mark that a slice of lanes adds? `group`: the sixteen that its cells are among.
+bool any_mark(const std::uint8_t* group, std::int32_t lane) noexcept {
+  if constexpr (lanes > 1) return (eight(group) | eight(group + 8)) != 0;
+  return group[lane] != 0;
+}
+
+SearchReadings moved(const SearchReadings& r, std::ptrdiff_t by) noexcept {
+  return {r.u + by, r.v + by, r.q + by, r.w + by};
+}
+
+/// Costs of `count` cells from one left of the row's first on.
+void cost_row(const SearchReadings& row, std::int32_t count, const SearchPlane& p, float* __restrict single,
+              float* __restrict triple) noexcept {
+  for (std::int32_t i = 0; i < count + 2; ++i) {
+    const float e = (row.q[i - 1] - ((p.a * row.u[i - 1] + p.b * row.v[i - 1]) + p.c)) * row.w[i - 1];
+    const float squared = e * e;
+    single[i] = squared < 1 ? squared : 1;
+  }
+  for (std::int32_t i = 0; i < count; ++i) triple[i] = (single[i] + single[i + 2]) + single[i + 1];
+}
+
+}  // namespace
+
+void weigh(float* q, float* w, std::int32_t padded, float least, float per_square, float none) noexcept {
+  const Lanes zero = all(0), one = all(1), absent = all(none), narrowest = all(least);
+  for (std::int32_t i = 0; i < padded; i += lanes) {
+    const Lanes read = load(q + i);
+    const Lanes wide = per_square * (read * read);
+    const Lanes inverse = one / (wide > narrowest ? wide : narrowest);
+    const auto good = (read > zero) & (read <= all(1e6F)) & (inverse <= all(1e12F)) & (read * inverse > one);
+    store(q + i, good ? read : absent);
+    store(w + i, good ? inverse : one);
+  }
+}
+
+std::uint32_t count_readings(const float* q, const SearchBox& box) noexcept {
+  const Lanes none = all(0), one = all(1);
+  float counts[search_lanes];
+  for (std::int32_t l = 0; l < search_lanes; l += lanes) {
+    Lanes sum = none;
+    for (std::int32_t y = 0; y < box.height; ++y)
+      for (std::int32_t x = l; x < box.width; x += search_lanes)
+        sum += load(q + y * box.stride + x) > none ? one : none;
+    store(counts + l, sum);
+  }
+  return static_cast<std::uint32_t>(fold(counts));
+}
+
+void mark_hits(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane,
+               std::uint8_t* hit) noexcept {
+  const std::int32_t width = rounded_up(box.width, byte_step);
+  const SearchPlane p = plane;
+  for (std::int32_t y = 0; y < box.height; ++y)
+    mark_row(moved(readings, y * box.stride), width, p, hit + y * box.stride);
+}
+
+SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core, std::uint8_t* counts,
+                       std::uint8_t* columns) noexcept {
+  // A byte counts to 255.
+  constexpr std::int32_t most_rows = 255;
+  const std::int32_t width = rounded_up(box.width, byte_step);
+  SearchMarks marks;
+  for (std::int32_t i = 0; i < width; ++i) counts[i] = columns[i] = 0;
+  for (std::int32_t y0 = 0; y0 < box.height; y0 += most_rows) {
+    const std::int32_t end = box.height - y0 > most_rows ? y0 + most_rows : box.height;
+    for (std::int32_t y = y0; y < end; ++y) {
+      const std::uint8_t* row = hit + y * box.stride;
+      keep_row(row - box.stride, row, row + box.stride, width, core + y * box.stride, counts);
+    }
+    for (std::int32_t i = box.width; i < width; ++i) counts[i] = 0;
+    marks.cells += collect(counts, width, columns);
+  }
+  if (marks.cells == 0) return marks;
+  marks.end_row = box.height;
+  while (!any_in_row(core + marks.first_row * box.stride, box.width)) ++marks.first_row;
+  while (!any_in_row(core + (marks.end_row - 1) * box.stride, box.width)) --marks.end_row;
+  return marks;
+}
+
+void sum_marked(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
+                const SearchPlane& plane, float u0, float v0, float* marks, SearchSums& sums) noexcept {
+  PartialSums partial;
+  for (std::int32_t l = 0; l < search_lanes; l += lanes) {
+    const Lanes a = all(plane.a), b = all(plane.b), c = all(plane.c), middle_u = all(u0), middle_v = all(v0);
+    LaneSums s;
+    for (std::int32_t y = 0; y < box.height; ++y) {
+      spread_marks(core + y * box.stride, rounded_up(box.width, byte_step), marks);
+      for (std::int32_t i = 0; i < box.width; i += search_lanes) {
+        const std::ptrdiff_t at = y * box.stride + i;
+        if (!any_mark(core + at, l)) continue;
+        const SearchReadings r = moved(readings, at + l);
+        const Lanes u = load(r.u), v = load(r.v);
+        const Lanes residual = load(r.q) - ((a * u + b * v) + c);
+        s.add(load_marks(core + at + l, marks + i + l), u - middle_u, v - middle_v, residual, load(r.w));
+      }
+    }
+    s.store_to(partial, l);
+  }
+  sums = partial.folded();
+}
+
+void take_cheaper(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
+                  const SearchPlane& plane, float label, float* rows, float* cost, float* owner) noexcept {
+  const Lanes none = all(0), own = all(label);
+  const std::int32_t width = rounded_up(box.width, search_lanes), room = width + search_overrun;
+  const SearchPlane p = plane;
+  float *single = rows, *marks = rows + room;
+  float *above = rows + 2 * room, *here = rows + 3 * room, *below = rows + 4 * room;
+  cost_row(moved(readings, -box.stride), width, p, single, above);
+  cost_row(readings, width, p, single, here);
+  for (std::int32_t y = 0; y < box.height; ++y) {
+    const std::ptrdiff_t row = y * box.stride;
+    cost_row(moved(readings, row + box.stride), width, p, single, below);
+    spread_marks(core + row, rounded_up(box.width, byte_step), marks);
+    for (std::int32_t i = 0; i < box.width; i += lanes) {
+      const Lanes sum = (load(above + i) + load(below + i)) + load(here + i);
+      const Lanes before = load(cost + row + i);
+      const auto cheaper = (load_marks(core + row + i, marks + i) > none) & (sum < before);
+      store(cost + row + i, cheaper ? sum : before);
+      store(owner + row + i, cheaper ? own : load(owner + row + i));
+    }
+    float* const free = above;
+    above = here;
+    here = below;
+    below = free;
+  }
+}
+
+}  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
