@@ -78,13 +78,18 @@ Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const Can
   const std::int32_t words_in_row = (size.width + word - 1) / word;
   const EdgeWords words{memory.words.data(), words_in_row * static_cast<std::ptrdiff_t>(EdgeWord::bytes),
                         words_in_row, size.height};
+  WordFill fill(words, memory.worklist);
   recipe.begin();
   for (std::int32_t y = 0; y < size.height; ++y) {
     recipe.push(gray.row(y));
-    while (recipe.next(memory.classes.data()))
-      kernels.pack_classes(memory.classes.data(), words.row(recipe.rows_out() - 1), size.width);
+    while (recipe.next(memory.classes.data())) {
+      const std::int32_t row = recipe.rows_out() - 1;
+      kernels.pack_classes(memory.classes.data(), words.row(row), size.width);
+      if (row > 0) fill.flow_down(row - 1);
+    }
   }
-  fill_words(words, memory.worklist);
+  fill.flow_down(size.height - 1);
+  fill.sweep_up(0, size.height);
   std::uint32_t count = 0;
   for (std::int32_t y = 0; y < size.height; ++y)
     count += kernels.spread_edges(words.row(y), pixels.view().row(y), size.width);
