@@ -13,11 +13,11 @@ namespace {
 
 // Plain to fastest: a machine that has one of them has all before it.
 constexpr KernelSet all_sets[] = {
-    {"plain", &plain_canny_row_kernels},
+    {"plain", &plain_canny_row_kernels, &plain_plane_row_kernels},
 #if defined(__x86_64__)
-    {"sse2", &sse2_canny_row_kernels},
-    {"avx2", &avx2_canny_row_kernels},
-    {"avx512", &avx512_canny_row_kernels},
+    {"sse2", &sse2_canny_row_kernels, &plain_plane_row_kernels},
+    {"avx2", &avx2_canny_row_kernels, &avx2_plane_row_kernels},
+    {"avx512", &avx512_canny_row_kernels, &avx512_plane_row_kernels},
 #endif
 };
 

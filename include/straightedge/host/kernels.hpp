@@ -11,10 +11,19 @@
 /// Which of the core's tables of kernels this machine can run. All give the same bits; they differ in time.
 namespace straightedge {
 
+/// Registering of depth frames into a plane map, step 1 to 3 of PlaneMapBuilder.
+struct PlaneRowKernels;
+extern const PlaneRowKernels plain_plane_row_kernels;
+#if defined(__x86_64__)
+extern const PlaneRowKernels avx2_plane_row_kernels;
+extern const PlaneRowKernels avx512_plane_row_kernels;
+#endif
+
 /// The tables made for one instruction set.
 struct KernelSet {
   std::string_view name;  ///< "plain", "sse2", "avx2" or "avx512"
   const CannyRowKernels* canny_rows = nullptr;
+  const PlaneRowKernels* plane_rows = nullptr;
 };
 
 /// Those that the processor has the instructions for: plain first, the fastest last.
