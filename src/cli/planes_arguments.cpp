@@ -8,6 +8,7 @@
 #include "cli/number_option.hpp"
 #include "cli/outputs.hpp"
 #include "io/number_text.hpp"
+#include "straightedge/host/parallel.hpp"
 
 namespace straightedge::cli {
 namespace {
@@ -20,6 +21,7 @@ constexpr double threshold_noises = 5;  // the noise is that of the flattest hal
 // How far apart points of one hypothesis are: less than the smallest planes, and enough that their noise does
 // not tilt it.
 constexpr double near_spacings = 7, near_noises = 100;
+constexpr std::int64_t most_threads = 256;
 constexpr std::uint64_t most_points = std::uint64_t{1} << 31U;
 
 Failure refusal(const std::string& input, const std::string& sentence) {
@@ -56,6 +58,9 @@ void PlanesArguments::add_input(CLI::App& command) {
       .add_option("--trajectory", trajectory,
                   "poses of a folder's frames, camera to world; without it the folder's own")
       ->type_name("POSES");
+  add_whole(command, "--threads", threads_, {0, most_threads}, "N",
+            "frames of a folder that are worked on at the same time, with the same results for any number; 0 "
+            "is one for each processor");
   command.add_flag("--strict", strict, "the first bad frame is a failure; without it bad frames are skipped");
 }
 
@@ -131,6 +136,11 @@ PlaneDetectorOptions PlanesArguments::detector_options(PlaneMethod method) const
     options.hough.min_pixels = std::min(options.hough.min_pixels, options.frame.min_pixels);
   }
   return options;
+}
+
+unsigned PlanesArguments::thread_count(std::size_t frames) const {
+  const std::size_t wanted = threads_ > 0 ? static_cast<std::size_t>(threads_) : processors();
+  return static_cast<unsigned>(std::clamp<std::size_t>(frames, 1, wanted));
 }
 
 std::uint32_t PlanesArguments::least_points(std::size_t points) const {
