@@ -151,13 +151,15 @@ Result<PlaneMapReading> PlaneMapBuilder::build() const {
   // Step 8.
   std::sort(candidates.begin(), candidates.end(),
             [](const Candidate& a, const Candidate& b) { return comes_first(a.plane, b.plane); });
+  std::vector<std::uint32_t> ids(leaves.size(), 0);
   for (Candidate& c : candidates) {
     c.plane.id = static_cast<std::uint32_t>(reading.map.planes.size() + 1);
-    for (const std::uint32_t i : c.leaves) reading.leaf_ids.push_back({leaves[i].key, c.plane.id});
+    for (const std::uint32_t i : c.leaves) ids[i] = c.plane.id;
     reading.map.planes.push_back(std::move(c.plane));
   }
-  std::sort(reading.leaf_ids.begin(), reading.leaf_ids.end(),
-            [](const auto& a, const auto& b) { return a.key < b.key; });
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    if (ids[i] != 0) reading.leaf_ids.push_back({leaves[i].key, ids[i]});
+  }
   reading.report.planes = static_cast<std::uint32_t>(reading.map.planes.size());
   return reading;
 }

@@ -4,6 +4,7 @@
 
 #include "planes_room.hpp"
 #include "straightedge/host/depth_file.hpp"
+#include "straightedge/host/kernels.hpp"
 #include "support/catch.hpp"
 
 namespace {
@@ -19,7 +20,7 @@ struct Outcome {
 };
 
 Outcome outcome_of(const TemporaryFolder& folder, const std::string& threads,
-                   const std::vector<std::string>& more = {}) {
+                   const std::vector<std::string>& more = {}, const RunSettings& settings = {}) {
   const std::string xml = (folder / "m.xml").string(), leaves = (folder / "m.leaves").string();
   const std::string labels = (folder / "labels").string();
   std::vector<std::string> arguments = {"planes",   (folder / "room").string(),
@@ -29,7 +30,7 @@ Outcome outcome_of(const TemporaryFolder& folder, const std::string& threads,
                                         "--json",   "--threads",
                                         threads};
   arguments.insert(arguments.end(), more.begin(), more.end());
-  const Run run = run_program(arguments);
+  const Run run = run_program(arguments, settings);
   Outcome outcome{run.code,      run.out,          run.err,
                   bytes_of(xml), bytes_of(leaves), bytes_of(folder / "labels" / "1.png")};
   for (const char* name : {"m.xml", "m.leaves", "labels"}) std::filesystem::remove_all(folder / name);
@@ -50,6 +51,16 @@ TEST_CASE("any number of threads gives the same bytes") {
   for (const std::string& threads : thread_counts) {
     INFO(threads);
     CHECK(outcome_of(folder, threads) == one);
+  }
+}
+
+TEST_CASE("any set of kernels gives the same bytes") {
+  const TemporaryFolder folder;
+  planes_room::write_sequence(folder / "room");
+  const Outcome best = outcome_of(folder, "1");
+  for (const straightedge::KernelSet& set : straightedge::kernel_sets()) {
+    INFO(set.name);
+    CHECK(outcome_of(folder, "2", {}, {.kernels = std::string(set.name)}) == best);
   }
 }
 

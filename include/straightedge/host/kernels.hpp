@@ -8,7 +8,7 @@
 #include "straightedge/canny_row_kernels.hpp"
 #include "straightedge/host/result.hpp"
 
-/// Which of the core's tables of kernels this machine can run. All give the same bits; they differ in time.
+/// Which tables of kernels this machine can run. All give the same bits; they differ in time.
 namespace straightedge {
 
 /// Registering of depth frames into a plane map, step 1 to 3 of PlaneMapBuilder.
