@@ -10,7 +10,10 @@ set(straightedge_flags_of_avx2 -mavx2 -mpopcnt)
 set(straightedge_flags_of_avx512 -mavx512f -mavx512bw -mavx512dq -mavx512vl -mpopcnt
   $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized>)
 
-# straightedge_kernels_for(MODULE SET SOURCES...): the sources as one more part of the core, with
+# The library that the kernels of a folder go into.
+set(straightedge_kernel_library straightedge_core)
+
+# straightedge_kernels_for(MODULE SET SOURCES...): the sources as one more part of the library, with
 # STRAIGHTEDGE_KERNEL_SET defined as the set.
 function(straightedge_kernels_for module set)
   set(target straightedge_${module}_${set})
@@ -21,16 +24,16 @@ function(straightedge_kernels_for module set)
   straightedge_flags(${target})
   target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti -fno-math-errno
     ${straightedge_flags_of_${set}} $<$<NOT:$<CONFIG:Debug>>:-O3>)
-  target_sources(straightedge_core PRIVATE $<TARGET_OBJECTS:${target}>)
+  target_sources(${straightedge_kernel_library} PRIVATE $<TARGET_OBJECTS:${target}>)
 endfunction()
 
 # straightedge_kernels(MODULE SOURCES...): plain loops that compilers turn into vector code by themselves. The
 # same text for every set, in the namespace of the set (base/kernel_set.hpp), and once without: the plain one,
 # which is the one for SSE2 too.
 function(straightedge_kernels module)
-  target_sources(straightedge_core PRIVATE ${ARGN})
+  target_sources(${straightedge_kernel_library} PRIVATE ${ARGN})
   # GCC 12 turns loops into vector code at -O3 alone.
-  set_source_files_properties(${ARGN} TARGET_DIRECTORY straightedge_core PROPERTIES
+  set_source_files_properties(${ARGN} TARGET_DIRECTORY ${straightedge_kernel_library} PROPERTIES
     COMPILE_OPTIONS $<$<AND:$<CXX_COMPILER_ID:GNU>,$<NOT:$<CONFIG:Debug>>>:-O3>)
   if(STRAIGHTEDGE_X86_64)
     foreach(set avx2 avx512)

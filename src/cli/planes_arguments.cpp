@@ -7,7 +7,9 @@
 
 #include "cli/number_option.hpp"
 #include "cli/outputs.hpp"
+#include "cli/threads_option.hpp"
 #include "io/number_text.hpp"
+#include "straightedge/host/parallel.hpp"
 
 namespace straightedge::cli {
 namespace {
@@ -56,6 +58,7 @@ void PlanesArguments::add_input(CLI::App& command) {
       .add_option("--trajectory", trajectory,
                   "poses of a folder's frames, camera to world; without it the folder's own")
       ->type_name("POSES");
+  add_threads(command, threads_);
   command.add_flag("--strict", strict, "the first bad frame is a failure; without it bad frames are skipped");
 }
 
@@ -131,6 +134,11 @@ PlaneDetectorOptions PlanesArguments::detector_options(PlaneMethod method) const
     options.hough.min_pixels = std::min(options.hough.min_pixels, options.frame.min_pixels);
   }
   return options;
+}
+
+unsigned PlanesArguments::thread_count(std::size_t frames) const {
+  const std::size_t wanted = threads_ > 0 ? static_cast<std::size_t>(threads_) : processors();
+  return static_cast<unsigned>(std::clamp<std::size_t>(frames, 1, wanted));
 }
 
 std::uint32_t PlanesArguments::least_points(std::size_t points) const {

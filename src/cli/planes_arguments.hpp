@@ -45,6 +45,8 @@ struct PlanesArguments {
 
   std::vector<PlaneMethod> method_list() const;
   PlaneDetectorOptions detector_options(PlaneMethod method) const;
+  /// For so many frames, at least 1.
+  unsigned thread_count(std::size_t frames) const;
   std::uint32_t max_planes() const { return static_cast<std::uint32_t>(max_planes_); }
   /// For a cloud of so many points.
   CloudOptions cloud_options(std::size_t points, const CloudScale& scale) const;
@@ -77,6 +79,7 @@ struct PlanesArguments {
   std::int32_t min_pixels_ = 0;
   std::int32_t max_planes_ = 64;
   std::uint64_t min_points_ = 0;
+  std::int32_t threads_ = 0;
   double depth_scale_ = 0;
   CLI::Option* depth_scale_option_ = nullptr;
   CLI::Option* sigma_option_ = nullptr;

@@ -16,10 +16,9 @@ Failure refused(Status status) {
 
 }  // namespace
 
-Result<FirstPlane> FirstPlane::create(Size size, const PlaneDetectorOptions& options) {
+Result<FirstPlane> FirstPlane::create(Size size, const PlaneDetectorOptions& options,
+                                      const KernelSet& kernels) {
   FirstPlane made;
-  const auto kernels = kernels_from_environment();
-  if (!kernels) return kernels.failure();
   made.options_ = options;
   made.ransac_ = std::make_unique<RansacPlanes>();
   made.hough_ = std::make_unique<HoughPatchSearch>();
@@ -27,11 +26,12 @@ Result<FirstPlane> FirstPlane::create(Size size, const PlaneDetectorOptions& opt
   RansacOptions one;
   one.gate = options.frame.gate;
   one.seed = options.ransac.seed;
-  one.kernels = kernels->ransac;
+  one.kernels = kernels.ransac;
   if (!ransac) made.inverse_depth_ = Image<float>(size);
   HoughPatchOptions& hough = made.options_.hough;
   hough.max_candidates = 1;
   hough.rounds = 1;
+  hough.kernels = kernels.hough_patches;
   hough.gate = options.frame.gate;
   const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
   made.memory_.resize(ransac ? RansacPlanes::workspace_bytes(pixels, one)

@@ -15,7 +15,7 @@ namespace straightedge::cli {
 /// plane of the whole frame, or the highest peak of one voting of patches.
 class FirstPlane {
  public:
-  static Result<FirstPlane> create(Size size, const PlaneDetectorOptions& options);
+  static Result<FirstPlane> create(Size size, const PlaneDetectorOptions& options, const KernelSet& kernels);
 
   /// Milliseconds.
   double time(const DepthView& depth);

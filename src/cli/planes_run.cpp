@@ -2,111 +2,113 @@
 // SPDX-License-Identifier: MIT
 #include "cli/planes_run.hpp"
 
-#include <chrono>
+#include <algorithm>
+#include <atomic>
+#include <mutex>
 #include <optional>
 #include <utility>
 
-#include "cli/picture_input.hpp"
-#include "cli/planes_first.hpp"
+#include "cli/planes_worker.hpp"
 #include "cli/program.hpp"
 #include "cli/streams.hpp"
 #include "io/number_text.hpp"
-#include "straightedge/host/depth_file.hpp"
+#include "straightedge/host/kernels.hpp"
+#include "straightedge/host/parallel.hpp"
 
 namespace straightedge::cli {
 namespace {
 
-struct Detectors {
-  std::vector<PlaneDetector> all;
-  std::vector<FirstPlane> first;  ///< empty for a single method
-};
+using Seen = Result<std::vector<MethodFrame>>;
 
-std::string text_of(Size size) {
-  return io::to_text(size.width) + " x " + io::to_text(size.height) + " pixels";
-}
-
-/// What the sequence itself says against a frame.
-std::optional<Failure> known_problem(const SequenceFrame& frame) {
-  if (frame.problem.empty()) return {};
-  const bool missing = frame.problem == frame.file.string() + ": is missing";
-  return Failure{missing ? Problem::cannot_read : Problem::bad_content, frame.problem};
-}
-
-/// One of each method, for the size of the first good frame.
-Result<Detectors> make_detectors(const PlanesArguments& arguments, const SequenceFrame& frame, Size size) {
-  const auto kernels = kernels_from_environment();
-  if (!kernels) return kernels.failure();
-  Detectors detectors;
-  const std::vector<PlaneMethod> methods = arguments.method_list();
-  for (const PlaneMethod method : methods) {
-    const PlaneDetectorOptions options = arguments.detector_options(method);
-    const std::size_t bytes = FramePlanes::workspace_bytes(size, options.frame);
-    if (auto fits = check_memory(frame.file, bytes); !fits) return fits.failure();
-    auto made = PlaneDetector::create(size, options, *kernels);
-    if (!made) return Failure{made.failure().problem, frame.file.string() + ": " + made.failure().sentence};
-    detectors.all.push_back(std::move(*made));
-    if (methods.size() == 1) continue;
-    auto first = FirstPlane::create(size, options);
-    if (!first)
-      return Failure{first.failure().problem, frame.file.string() + ": " + first.failure().sentence};
-    detectors.first.push_back(std::move(*first));
+/// Takes what was seen in frames, in any order, and does with it what one thread would have done in the order
+/// of frames.
+class InOrder {
+ public:
+  InOrder(const PlanesArguments& arguments, const DepthSequence& sequence, PlanesRun& run, Progress& progress)
+      : arguments_(arguments), frames_(sequence.frames), run_(run), progress_(progress) {
+    waiting_.resize(frames_.size());
   }
-  return detectors;
-}
 
-Result<std::vector<MethodFrame>> look_at(Detectors& detectors, std::vector<MethodRun>& methods,
-                                         const DepthView& depth, const Pose& pose) {
-  std::vector<MethodFrame> seen;
-  for (std::size_t m = 0; m < detectors.all.size(); ++m) {
-    const auto before = std::chrono::steady_clock::now();
-    auto detected = detectors.all[m].detect(depth);
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - before;
-    if (!detected) return detected.failure();
-    auto registered = methods[m].builder.add(depth, detected->labels, detected->planes, pose);
-    if (!registered) return registered.failure();
-    const auto pixels =
-        static_cast<std::size_t>(depth.raw.width) * static_cast<std::size_t>(depth.raw.height);
-    seen.push_back({.labels = runs_of({detected->labels.view().data, pixels}),
-                    .planes = std::move(detected->planes),
-                    .found = detected->found,
-                    .registered = std::move(*registered),
-                    .ids = {},
-                    .first_ms = detectors.first.empty() ? 0 : detectors.first[m].time(depth),
-                    .detection_ms = time.count()});
-  }
-  return seen;
-}
-
-/// All that is kept while frames come in.
-struct Walk {
-  const PlanesArguments& arguments;
-  PlanesRun run;
-  Detectors detectors;
-  std::uint64_t planes = 0;
-
-  Result<Done> take(const SequenceFrame& frame) {
-    if (const auto problem = known_problem(frame)) return *problem;
-    const auto depth = read_depth_frame(frame.file, run.camera);
-    if (!depth) return depth.failure();
-    if (run.frames.empty()) {
-      auto made = make_detectors(arguments, frame, depth->size());
-      if (!made) return made.failure();
-      detectors = std::move(*made);
-      run.size = depth->size();
-    } else if (depth->size() != run.size) {
-      return Failure{Problem::bad_content, frame.file.string() + ": is " + text_of(depth->size()) +
-                                               ", and the frames before are " + text_of(run.size)};
+  void hand_in(std::size_t frame, Seen seen) {
+    const std::lock_guard lock(mutex_);
+    waiting_[frame] = std::move(seen);
+    for (; next_ < frames_.size() && waiting_[next_] && !failure_; ++next_) {
+      take(frames_[next_], *waiting_[next_]);
+      waiting_[next_].reset();
+      tell_progress();
     }
-    const DepthView view{*depth, run.camera.metres_per_unit(), run.camera.pinhole};
-    auto seen = look_at(detectors, run.methods, view, *frame.pose);
-    if (!seen) return Failure{seen.failure().problem, frame.file.string() + ": " + seen.failure().sentence};
-    run.frames.push_back(frame);
-    run.readings += seen->front().found.readings;
-    planes += seen->front().planes.size();
-    for (std::size_t m = 0; m < seen->size(); ++m) run.methods[m].frames.push_back(std::move((*seen)[m]));
-    return Done{};
   }
+
+  /// Whether a failure ends everything; work on later frames is of no use then.
+  bool failed() const noexcept { return failed_; }
+  const std::optional<Failure>& failure() const noexcept { return failure_; }
+
+  void tell_progress() {
+    progress_.tell(arguments_.input + ": frame " + io::to_text(std::min(next_ + 1, frames_.size())) + " of " +
+                   io::to_text(frames_.size()) + ", " + io::to_text(planes_) + " planes so far");
+  }
+
+ private:
+  void take(const SequenceFrame& frame, Seen& seen) {
+    if (!seen) return refuse(frame, seen.failure());
+    run_.frames.push_back(frame);
+    run_.readings += seen->front().found.readings;
+    planes_ += seen->front().planes.size();
+    for (std::size_t m = 0; m < seen->size(); ++m) run_.methods[m].frames.push_back(std::move((*seen)[m]));
+  }
+
+  void refuse(const SequenceFrame& frame, const Failure& failure) {
+    if (arguments_.strict || frames_.size() == 1 || failure.problem == Problem::bad_option) {
+      failure_ = failure;
+      failed_ = true;
+      return;
+    }
+    progress_.say("straightedge: " + one_line(failure.sentence) + "; the frame is skipped");
+    run_.skipped.push_back({frame.name, failure.sentence});
+  }
+
+  const PlanesArguments& arguments_;
+  const std::vector<SequenceFrame>& frames_;
+  PlanesRun& run_;
+  Progress& progress_;
+  std::mutex mutex_;
+  std::vector<std::optional<Seen>> waiting_;  // one a frame, empty before and after
+  std::size_t next_ = 0;
+  std::uint64_t planes_ = 0;
+  std::optional<Failure> failure_;
+  std::atomic<bool> failed_ = false;
 };
+
+/// All frames through workers, one a thread. The first good frame says what size all have; until it is there
+/// one thread works alone.
+std::vector<PlanesWorker> work_on(const PlanesArguments& arguments, const DepthSequence& sequence,
+                                  const KernelSet& kernels, PlanesRun& run, InOrder& in_order) {
+  std::vector<PlanesWorker> workers;
+  workers.emplace_back(arguments, run.camera, kernels);
+  std::size_t first = 0;
+  for (; first < sequence.frames.size() && run.frames.empty() && !in_order.failed(); ++first)
+    in_order.hand_in(first, workers[0].take(sequence.frames[first], run.size));
+  if (in_order.failed()) return workers;
+  ThreadPool pool(arguments.thread_count(sequence.frames.size() - first));
+  while (workers.size() < pool.threads()) workers.emplace_back(arguments, run.camera, kernels);
+  pool.for_each_index(sequence.frames.size() - first, [&](std::size_t index, unsigned thread) {
+    if (in_order.failed()) return;
+    const std::size_t frame = first + index;
+    in_order.hand_in(frame, workers[thread].take(sequence.frames[frame], run.size));
+  });
+  return workers;
+}
+
+Result<Done> join_maps(std::vector<PlanesWorker>& workers, PlanesRun& run) {
+  for (std::size_t m = 0; m < run.methods.size(); ++m) {
+    PlaneMapBuilder& builder = run.methods[m].builder;
+    builder = std::move(workers[0].builder(m));
+    for (std::size_t w = 1; w < workers.size(); ++w) {
+      if (auto merged = builder.merge(workers[w].builder(m)); !merged) return merged;
+    }
+  }
+  return Done{};
+}
 
 }  // namespace
 
@@ -124,30 +126,27 @@ Result<Done> read_map(MethodRun& method) {
 
 Result<PlanesRun> run_planes(const PlanesArguments& arguments, const DepthSequence& sequence,
                              Progress& progress) {
-  Walk walk{arguments, {}, {}};
-  walk.run.camera = sequence.camera;
+  const auto kernels = kernels_from_environment();
+  if (!kernels) return kernels.failure();
+  PlanesRun run;
+  run.camera = sequence.camera;
   for (const PlaneMethod method : arguments.method_list())
-    walk.run.methods.push_back({method, PlaneMapBuilder(arguments.map_options()), {}, {}});
-  const std::string of = " of " + io::to_text(sequence.frames.size()) + ", ";
-  for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
-    progress.tell(arguments.input + ": frame " + io::to_text(i + 1) + of + io::to_text(walk.planes) +
-                  " planes so far");
-    const auto taken = walk.take(sequence.frames[i]);
-    if (taken) continue;
-    const Failure& failure = taken.failure();
-    if (arguments.strict || sequence.frames.size() == 1 || failure.problem == Problem::bad_option)
-      return failure;
-    progress.say("straightedge: " + one_line(failure.sentence) + "; the frame is skipped");
-    walk.run.skipped.push_back({sequence.frames[i].name, failure.sentence});
-  }
-  if (walk.run.frames.empty())
+    run.methods.push_back({method, PlaneMapBuilder(arguments.map_options(), *kernels), {}, {}});
+  InOrder in_order(arguments, sequence, run, progress);
+  in_order.tell_progress();
+  std::vector<PlanesWorker> workers = work_on(arguments, sequence, *kernels, run, in_order);
+  if (in_order.failure()) return *in_order.failure();
+  if (run.frames.empty())
     return Failure{Problem::bad_content, arguments.input + ": none of its " +
                                              io::to_text(sequence.frames.size()) + " frames can be used"};
-  for (MethodRun& method : walk.run.methods) {
-    if (auto read = read_map(method); !read)
-      return Failure{read.failure().problem, arguments.input + ": " + read.failure().sentence};
+  const auto in_input = [&](const Failure& failure) {
+    return Failure{failure.problem, arguments.input + ": " + failure.sentence};
+  };
+  if (auto joined = join_maps(workers, run); !joined) return in_input(joined.failure());
+  for (MethodRun& method : run.methods) {
+    if (auto read = read_map(method); !read) return in_input(read.failure());
   }
-  return std::move(walk.run);
+  return run;
 }
 
 }  // namespace straightedge::cli

@@ -60,8 +60,11 @@ void number_lots(LotCells& map) {
 /// Step 1. The pieces of each lot.
 std::vector<std::vector<ExtentPiece>> lots_of(std::span<const ExtentPiece> pieces, double size) {
   LotCells map;
-  for (const ExtentPiece& p : pieces)
-    for_each_cell(p, size, [&](const Cell& cell) { map.cells.push_back(cell); });
+  // Most pieces lie in the cell of the one before them.
+  const auto add = [&map](const Cell& cell) {
+    if (map.cells.empty() || map.cells.back() != cell) map.cells.push_back(cell);
+  };
+  for (const ExtentPiece& p : pieces) for_each_cell(p, size, add);
   std::sort(map.cells.begin(), map.cells.end());
   map.cells.erase(std::unique(map.cells.begin(), map.cells.end()), map.cells.end());
   number_lots(map);

@@ -3,8 +3,10 @@
 #include "map/plane_frame.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
+#include "straightedge/morton.hpp"
 #include "straightedge/rounding.hpp"
 
 namespace straightedge {
@@ -60,26 +62,45 @@ std::uint16_t spacing_at(double z, const FramePlane& plane, double focal) {
 }
 
 /// The run's sums as its leaf adds them.
-PlaneLeafSums weighted(const LeafRun& run, const FramePlane& plane, std::int64_t w) {
+PlaneLeafSums weighted(const detail::PlaneRun& run, const FramePlane& plane, std::int64_t w) {
+  using Run = detail::PlaneRun;
   PlaneLeafSums s;
   s.readings = static_cast<std::uint64_t>(run.readings);
   s.weight = w * run.readings;
-  s.x = w * run.x;
-  s.y = w * run.y;
+  s.x = w * run.sum[Run::x];
+  s.y = w * run.sum[Run::y];
   s.z = w * run.z;
-  s.xx = w * run.xx;
-  s.xy = w * run.xy;
-  s.xz = w * run.xz;
-  s.yy = w * run.yy;
-  s.yz = w * run.yz;
-  s.zz = w * run.zz;
+  s.xx = w * run.sum[Run::xx];
+  s.xy = w * run.sum[Run::xy];
+  s.xz = w * run.sum[Run::xz];
+  s.yy = w * run.sum[Run::yy];
+  s.yz = w * run.sum[Run::yz];
+  s.zz = w * run.sum[Run::zz];
   s.nx = s.weight * plane.normal.x;
   s.ny = s.weight * plane.normal.y;
   s.nz = s.weight * plane.normal.z;
   s.tilt = s.weight * plane.tilt;
   // Wrong labels miss their plane by metres; what they add stays within the bound of all sums.
-  s.residual = w * std::min(run.residual, (std::int64_t{run.readings} << 30U) / w);
+  const bool near = run.residual >> 14U < run.readings;  // as the weight is at most 2^16: no need to divide
+  s.residual = w * (near ? run.residual : std::min(run.residual, (std::int64_t{run.readings} << 30U) / w));
   return s;
+}
+
+MortonCell cell_of(std::uint64_t leaf) {
+  constexpr std::uint64_t axis = morton_side - 1;
+  return {static_cast<std::uint32_t>(leaf & axis), static_cast<std::uint32_t>((leaf >> 21U) & axis),
+          static_cast<std::uint32_t>(leaf >> 42U)};
+}
+
+void note(PlaneAnchors& anchors, PlaneLeafKey key, std::uint32_t readings) {
+  if (readings < anchors.readings.back()) return;
+  for (std::size_t i = 0; i < anchors.leaves.size(); ++i) {
+    const bool before =
+        readings > anchors.readings[i] || (readings == anchors.readings[i] && key < anchors.leaves[i]);
+    if (!before) continue;
+    std::swap(key, anchors.leaves[i]);
+    std::swap(readings, anchors.readings[i]);
+  }
 }
 
 }  // namespace
@@ -123,42 +144,44 @@ Result<std::vector<FramePlane>> frame_planes(std::span<const FoundPlane> planes,
   return ready;
 }
 
-void LeafWriter::put(const LeafRun& run) {
-  if (run.label == 0) return;
+LeafWriter::Target LeafWriter::target_of(const detail::PlaneRun& run) const {
   const FramePlane& plane = planes_[run.label - 1];
-  const std::uint64_t leaf = morton_encode(run.first.leaf());
-  const Vector3 centre = cube_centre(leaf, 0);
-  const Pose& pose = view_.world_from_camera;
-  const double depth = dot(pose.turned({0, 0, 1}), centre - pose.translation);
-  const double z = std::max(depth, plane_grid::leaf_m);
-  PlaneLeafSums s = weighted(run, plane, weight_at(z, plane));
-  s.spacing = spacing_at(z, plane, view_.focal);
+  Target target;
+  const MortonCell cell = cell_of(run.leaf);
+  const Vector3 centre = leaf_centre(cell);
+  const double depth = dot(forward_, centre - view_.world_from_camera.translation);
+  target.depth = std::max(depth, plane_grid::leaf_m);
   const double offset = plane.offset - dot(plane.towards_camera, centre);
-  const std::size_t place =
-      leaves_.place({leaf, surface_bin(plane.direction, offset * plane_grid::quanta_per_m)});
-  if (place >= tally_.size()) tally_.resize(place + 1 + tally_.size() / 2, 0);
-  if (tally_[place] == 0) touched_.push_back({static_cast<std::uint32_t>(place), run.label});
-  tally_[place] += static_cast<std::uint32_t>(s.readings);
-  PlaneLeafSums& sums = leaves_.at(place);
-  sums.add(s);
-  leaves_.note_fullest(sums.readings);
+  target.key = {morton_encode(cell), surface_bin(plane.direction, offset * plane_grid::quanta_per_m)};
+  return target;
 }
 
-RegisteredFrame LeafWriter::finish() {
+void LeafWriter::put(const detail::PlaneRun& run, const Target& target) {
+  const FramePlane& plane = planes_[run.label - 1];
+  PlaneLeafSums s = weighted(run, plane, weight_at(target.depth, plane));
+  s.spacing = spacing_at(target.depth, plane, view_.focal);
+  leaves_.add(target.key, s);
+}
+
+RegisteredFrame LeafWriter::put(std::span<const detail::PlaneRun> runs) {
+  // A few runs at a time, so that the memory of all their leaves is on its way before the first is needed.
+  constexpr std::size_t at_once = 64;
   RegisteredFrame frame;
   frame.planes.resize(planes_.size());
-  for (const Touched& t : touched_) {
-    PlaneAnchors& anchors = frame.planes[t.label - 1];
-    PlaneLeafKey key = leaves_.leaf(t.place).key;
-    std::uint32_t readings = tally_[t.place];
-    frame.placed += readings;
-    tally_[t.place] = 0;
-    for (std::size_t i = 0; i < anchors.leaves.size(); ++i) {
-      const bool before =
-          readings > anchors.readings[i] || (readings == anchors.readings[i] && key < anchors.leaves[i]);
-      if (!before) continue;
-      std::swap(key, anchors.leaves[i]);
-      std::swap(readings, anchors.readings[i]);
+  std::array<Target, at_once> targets;
+  for (std::size_t first = 0; first < runs.size(); first += at_once) {
+    const std::span<const detail::PlaneRun> some =
+        runs.subspan(first, std::min(at_once, runs.size() - first));
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      targets[i] = target_of(some[i]);
+      leaves_.expect(targets[i].key);
+    }
+    for (std::size_t i = 0; i < some.size(); ++i) leaves_.expect_sums(targets[i].key);
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      put(some[i], targets[i]);
+      const auto readings = static_cast<std::uint32_t>(some[i].readings);
+      frame.placed += readings;
+      note(frame.planes[some[i].label - 1], targets[i].key, readings);
     }
   }
   for (std::size_t p = 0; p < planes_.size(); ++p) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "map/plane_key.hpp"
+#include "straightedge/detail/plane_run.hpp"
 #include "straightedge/found_planes.hpp"
 #include "straightedge/host/plane_map_builder.hpp"
 #include "straightedge/host/pose.hpp"
@@ -35,60 +36,34 @@ Result<Done> check_pose(const Pose& pose);
 Result<std::vector<FramePlane>> frame_planes(std::span<const FoundPlane> planes, const Pose& pose,
                                              const PlaneGate& gate);
 
-/// Where a reading goes: quanta of the grid, and quanta from its plane.
-struct GridReading {
-  std::int32_t i = 0, j = 0, k = 0, residual = 0;
-
-  MortonCell leaf() const noexcept {
-    constexpr int bits = plane_grid::leaf_bits;
-    return {static_cast<std::uint32_t>(i >> bits), static_cast<std::uint32_t>(j >> bits),
-            static_cast<std::uint32_t>(k >> bits)};
-  }
-  bool same_leaf(const GridReading& o) const noexcept {
-    return static_cast<std::uint32_t>((i ^ o.i) | (j ^ o.j) | (k ^ o.k)) < plane_grid::leaf_side;
-  }
-};
-inline constexpr std::int32_t most_residual = 1 << 20;  ///< quanta, 256 m
-
-/// Readings of one plane that go to one leaf, summed in short integers and without their weight.
-struct LeafRun {
-  std::uint32_t label = 0;  ///< 0: empty
-  GridReading first;
-  std::int32_t readings = 0;
-  std::int32_t x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-  std::int64_t residual = 0;
-
-  static constexpr std::int32_t most_readings = 1 << 15;  ///< of 2^14 each: the sums stay below 2^30
-};
-
 /// From where a frame was taken.
 struct Viewpoint {
   Pose world_from_camera;
   double focal = 0;  ///< pixels; 0: neighbouring readings are not known
 };
 
-/// Puts runs into the leaves and remembers what the frame did.
+/// Puts a frame's runs into the leaves.
 class LeafWriter {
  public:
-  LeafWriter(PlaneLeaves& leaves, std::vector<std::uint32_t>& tally, std::span<const FramePlane> planes,
-             const Viewpoint& view)
-      : leaves_(leaves), tally_(tally), planes_(planes), view_(view) {}
+  LeafWriter(PlaneLeaves& leaves, std::span<const FramePlane> planes, const Viewpoint& view)
+      : leaves_(leaves), planes_(planes), view_(view), forward_(view.world_from_camera.turned({0, 0, 1})) {}
 
-  /// Adds the run, if it is one, to its leaf.
-  void put(const LeafRun& run);
-  /// Counts sightings, finds the anchors, cleans the tally.
-  RegisteredFrame finish();
+  /// Adds every run to its leaf, finds the anchors, counts sightings.
+  RegisteredFrame put(std::span<const detail::PlaneRun> runs);
 
  private:
-  struct Touched {
-    std::uint32_t place = 0, label = 0;
+  struct Target {
+    PlaneLeafKey key;
+    double depth = 0;
   };
 
+  Target target_of(const detail::PlaneRun& run) const;
+  void put(const detail::PlaneRun& run, const Target& target);
+
   PlaneLeaves& leaves_;
-  std::vector<std::uint32_t>& tally_;
   std::span<const FramePlane> planes_;
   Viewpoint view_;
-  std::vector<Touched> touched_;
+  Vector3 forward_;
 };
 
 }  // namespace straightedge

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "straightedge/host/plane_leaves.hpp"
+#include "straightedge/morton.hpp"
 #include "straightedge/vector3.hpp"
 
 namespace straightedge {
@@ -21,6 +22,15 @@ inline constexpr double grid_end = 2 * grid_middle;
 
 /// The middle of a cube whose sides are 2^level leaves.
 Vector3 cube_centre(std::uint64_t leaf, int level) noexcept;
+
+/// The same of one leaf, by its place.
+inline Vector3 leaf_centre(const MortonCell& leaf) noexcept {
+  constexpr std::int32_t half = 1 << (plane_grid::axis_bits - 1);
+  const auto middle = [](std::uint32_t i) {
+    return (static_cast<std::int32_t>(i) - half + 0.5) * plane_grid::leaf_m;
+  };
+  return {middle(leaf.x), middle(leaf.y), middle(leaf.z)};
+}
 
 GridNormal grid_normal(const Vector3& unit) noexcept;
 

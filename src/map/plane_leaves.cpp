@@ -39,17 +39,45 @@ void PlaneLeafSums::add(const PlaneLeafSums& o) noexcept {
   spacing = std::min(spacing, o.spacing);
 }
 
-std::size_t PlaneLeaves::place(const PlaneLeafKey& key) {
+void PlaneLeaves::expect(const PlaneLeafKey& key) const noexcept {
+  if (!slots_.empty()) __builtin_prefetch(&slots_[slot_of(key, slots_.size())]);
+}
+
+void PlaneLeaves::expect_sums(const PlaneLeafKey& key) const noexcept {
+  if (slots_.empty()) return;
+  const std::uint32_t found = slots_[slot_of(key, slots_.size())];
+  if (found == 0) return;
+  const auto* const bytes = reinterpret_cast<const std::byte*>(&leaves_[found - 1]);
+  for (std::size_t at = 0; at < sizeof(PlaneLeaf); at += 64) __builtin_prefetch(bytes + at);
+}
+
+std::uint32_t& PlaneLeaves::slot_for(const PlaneLeafKey& key) {
   if (2 * (leaves_.size() + 1) > slots_.size()) grow();
   std::size_t slot = slot_of(key, slots_.size());
-  while (slots_[slot] != 0) {
-    const std::size_t found = slots_[slot] - 1;
-    if (leaves_[found].key == key) return found;
-    slot = (slot + 1) & (slots_.size() - 1);
+  while (slots_[slot] != 0 && leaves_[slots_[slot] - 1].key != key) slot = (slot + 1) & (slots_.size() - 1);
+  return slots_[slot];
+}
+
+std::size_t PlaneLeaves::place(const PlaneLeafKey& key) {
+  std::uint32_t& slot = slot_for(key);
+  if (slot == 0) {
+    leaves_.push_back({key, {}});
+    slot = static_cast<std::uint32_t>(leaves_.size());
   }
-  leaves_.push_back({key, {}});
-  slots_[slot] = static_cast<std::uint32_t>(leaves_.size());
-  return leaves_.size() - 1;
+  return slot - 1;
+}
+
+void PlaneLeaves::add(const PlaneLeafKey& key, const PlaneLeafSums& sums) {
+  std::uint32_t& slot = slot_for(key);
+  if (slot != 0) {
+    PlaneLeafSums& all = leaves_[slot - 1].sums;
+    all.add(sums);
+    note_fullest(all.readings);
+    return;
+  }
+  leaves_.push_back({key, sums});
+  slot = static_cast<std::uint32_t>(leaves_.size());
+  note_fullest(sums.readings);
 }
 
 void PlaneLeaves::grow() {
@@ -62,9 +90,18 @@ void PlaneLeaves::grow() {
 }
 
 std::vector<PlaneLeaf> PlaneLeaves::sorted() const {
-  std::vector<PlaneLeaf> leaves = leaves_;
-  std::sort(leaves.begin(), leaves.end(),
-            [](const PlaneLeaf& a, const PlaneLeaf& b) { return a.key < b.key; });
+  struct Place {
+    PlaneLeafKey key;
+    std::uint32_t place;
+  };
+  std::vector<Place> places;
+  places.reserve(leaves_.size());
+  for (const PlaneLeaf& leaf : leaves_)
+    places.push_back({leaf.key, static_cast<std::uint32_t>(places.size())});
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.key < b.key; });
+  std::vector<PlaneLeaf> leaves;
+  leaves.reserve(places.size());
+  for (const Place& p : places) leaves.push_back(leaves_[p.place]);
   return leaves;
 }
 
@@ -73,9 +110,7 @@ bool PlaneLeaves::merge(const PlaneLeaves& other) {
   const std::size_t count = other.leaves_.size();  // the other may be this one
   for (std::size_t i = 0; i < count; ++i) {
     const PlaneLeaf leaf = other.leaves_[i];
-    PlaneLeafSums& sums = at(place(leaf.key));
-    sums.add(leaf.sums);
-    note_fullest(sums.readings);
+    add(leaf.key, leaf.sums);
   }
   frames += other.frames;
   return true;

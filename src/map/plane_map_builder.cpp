@@ -26,12 +26,10 @@ Result<Done> check_labels(std::uint32_t largest, std::size_t planes) {
   return Failure{Problem::bad_content, "label " + std::to_string(largest) + " of the frame has no plane"};
 }
 
-std::uint16_t largest_label(ImageView<const std::uint16_t> labels) {
+std::uint16_t largest_label(ImageView<const std::uint16_t> labels, const PlaneRowKernels& kernels) {
   std::uint16_t largest = 0;
-  for (std::int32_t y = 0; y < labels.height; ++y) {
-    const std::uint16_t* row = labels.row(y);
-    for (std::int32_t x = 0; x < labels.width; ++x) largest = std::max(largest, row[x]);
-  }
+  for (std::int32_t y = 0; y < labels.height; ++y)
+    largest = std::max(largest, kernels.largest_label(labels.row(y), labels.width));
   return largest;
 }
 
@@ -89,12 +87,12 @@ Result<RegisteredFrame> PlaneMapBuilder::add(const DepthView& depth, ImageView<c
   if (depth.raw.size() != labels.size()) return refusal("the frame and its labels differ in size");
   const auto pixels = static_cast<std::uint64_t>(labels.width) * static_cast<std::uint64_t>(labels.height);
   const auto ready =
-      prepare_frame(options_, leaves_, pixels, largest_label(labels), planes, world_from_camera);
+      prepare_frame(options_, leaves_, pixels, largest_label(labels, *kernels_), planes, world_from_camera);
   if (!ready) return ready.failure();
   const double focal = std::min(std::abs(depth.camera.fx), std::abs(depth.camera.fy));
-  LeafWriter writer(leaves_, tally_, *ready, {world_from_camera, focal});
-  const LeftOut out = register_depth(depth, labels, *ready, world_from_camera, writer);
-  RegisteredFrame frame = writer.finish();
+  PlaneRuns runs(runs_, slots_);
+  const LeftOut out = register_depth(depth, labels, *ready, world_from_camera, runs, *kernels_);
+  RegisteredFrame frame = LeafWriter(leaves_, *ready, {world_from_camera, focal}).put(runs.all());
   frame.off_plane = out.off_plane;
   frame.out_of_range = out.out_of_range;
   return frame;
@@ -108,9 +106,9 @@ Result<RegisteredFrame> PlaneMapBuilder::add(const PointsView& points, std::span
   const std::uint16_t largest = *std::max_element(labels.begin(), labels.end());
   const auto ready = prepare_frame(options_, leaves_, points.count, largest, planes, world_from_sensor);
   if (!ready) return ready.failure();
-  LeafWriter writer(leaves_, tally_, *ready, {world_from_sensor, 0});
-  const LeftOut out = register_points(points, labels, *ready, world_from_sensor, writer);
-  RegisteredFrame frame = writer.finish();
+  PlaneRuns runs(runs_, slots_);
+  const LeftOut out = register_points(points, labels, *ready, world_from_sensor, runs);
+  RegisteredFrame frame = LeafWriter(leaves_, *ready, {world_from_sensor, 0}).put(runs.all());
   frame.off_plane = out.off_plane;
   frame.out_of_range = out.out_of_range;
   return frame;
@@ -153,13 +151,15 @@ Result<PlaneMapReading> PlaneMapBuilder::build() const {
   // Step 8.
   std::sort(candidates.begin(), candidates.end(),
             [](const Candidate& a, const Candidate& b) { return comes_first(a.plane, b.plane); });
+  std::vector<std::uint32_t> ids(leaves.size(), 0);
   for (Candidate& c : candidates) {
     c.plane.id = static_cast<std::uint32_t>(reading.map.planes.size() + 1);
-    for (const std::uint32_t i : c.leaves) reading.leaf_ids.push_back({leaves[i].key, c.plane.id});
+    for (const std::uint32_t i : c.leaves) ids[i] = c.plane.id;
     reading.map.planes.push_back(std::move(c.plane));
   }
-  std::sort(reading.leaf_ids.begin(), reading.leaf_ids.end(),
-            [](const auto& a, const auto& b) { return a.key < b.key; });
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    if (ids[i] != 0) reading.leaf_ids.push_back({leaves[i].key, ids[i]});
+  }
   reading.report.planes = static_cast<std::uint32_t>(reading.map.planes.size());
   return reading;
 }

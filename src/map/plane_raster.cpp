@@ -12,54 +12,101 @@ namespace {
 
 constexpr double most_cells = 1 << 24;
 
-/// A cell is grown over when one within `reach` on its row (or column) is covered.
-void grow_lines(const Raster& raster, std::int32_t reach, bool rows, std::uint8_t value,
-                std::vector<std::uint8_t>& cells) {
-  const std::int32_t lines = rows ? raster.height : raster.width;
-  const std::int32_t length = rows ? raster.width : raster.height;
-  std::vector<std::uint8_t> grown(static_cast<std::size_t>(length));
-  const auto at = [&](std::int32_t line, std::int32_t i) -> std::uint8_t& {
-    return cells[rows ? raster.index(i, line) : raster.index(line, i)];
-  };
-  for (std::int32_t line = 0; line < lines; ++line) {
-    std::int32_t count = 0;
-    for (std::int32_t i = 0; i < std::min(reach, length); ++i) count += at(line, i) == value ? 1 : 0;
-    for (std::int32_t i = 0; i < length; ++i) {
-      if (i + reach < length) count += at(line, i + reach) == value ? 1 : 0;
-      if (i - reach - 1 >= 0) count -= at(line, i - reach - 1) == value ? 1 : 0;
-      grown[static_cast<std::size_t>(i)] = count > 0 ? value : static_cast<std::uint8_t>(1 - value);
-    }
-    for (std::int32_t i = 0; i < length; ++i) at(line, i) = grown[static_cast<std::size_t>(i)];
+/// What `value` does to another cell's value where it spreads.
+std::uint8_t spread(std::uint8_t value, std::uint8_t a, std::uint8_t b) {
+  return value != 0 ? a | b : a & b;
+}
+
+/// to[i] = spread(a[i], b[i]); `to` may be `a`.
+void spread(std::uint8_t value, const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* to,
+            std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) to[i] = spread(value, a[i], b[i]);
+}
+
+/// Every line gets the value where one of `window` lines from it on has it: lines of a power of two first,
+/// two of which then overlap. There are `lines + window − 1` lines before, of which `lines` are left.
+void spread_lines(std::vector<std::uint8_t>& cells, std::size_t lines, std::size_t length, std::size_t window,
+                  std::uint8_t value) {
+  std::size_t width = 1;
+  for (; 2 * width <= window; width *= 2) {
+    const std::size_t left = (lines + window - 2 * width) * length;
+    spread(value, cells.data(), cells.data() + width * length, cells.data(), left);
+  }
+  spread(value, cells.data(), cells.data() + (window - width) * length, cells.data(), lines * length);
+}
+
+/// A cell is grown over when one within `reach` on its row is covered.
+void grow_rows(Raster& raster, std::size_t reach, std::uint8_t value) {
+  const auto width = static_cast<std::size_t>(raster.width);
+  std::vector<std::uint8_t> line(width + 2 * reach);
+  for (std::int32_t y = 0; y < raster.height; ++y) {
+    const auto row = raster.cells.begin() + static_cast<std::ptrdiff_t>(raster.index(0, y));
+    std::fill(line.begin(), line.end(), static_cast<std::uint8_t>(1 - value));
+    std::copy_n(row, width, line.begin() + static_cast<std::ptrdiff_t>(reach));
+    spread_lines(line, width, 1, 2 * reach + 1, value);
+    std::copy_n(line.begin(), width, row);
   }
 }
 
-/// Calls `visit` with the cells of each connected region of that value, in the order of their first cells.
-template <class Visit>
-void for_each_region(const Raster& raster, std::uint8_t value, bool by_corners, Visit visit) {
-  std::vector<std::uint8_t> seen(raster.cells.size(), 0);
-  std::vector<std::uint32_t> region;
-  const auto width = static_cast<std::uint32_t>(raster.width);
-  for (std::size_t start = 0; start < raster.cells.size(); ++start) {
-    if (seen[start] != 0 || raster.cells[start] != value) continue;
-    region.assign(1, static_cast<std::uint32_t>(start));
-    seen[start] = 1;
-    for (std::size_t i = 0; i < region.size(); ++i) {
-      const auto x = static_cast<std::int32_t>(region[i] % width);
-      const auto y = static_cast<std::int32_t>(region[i] / width);
-      for (std::int32_t dy = -1; dy <= 1; ++dy) {
-        for (std::int32_t dx = -1; dx <= 1; ++dx) {
-          if (!by_corners && dx != 0 && dy != 0) continue;
-          const std::int32_t nx = x + dx, ny = y + dy;
-          if (nx < 0 || ny < 0 || nx >= raster.width || ny >= raster.height) continue;
-          const std::size_t next = raster.index(nx, ny);
-          if (seen[next] != 0 || raster.cells[next] != value) continue;
-          seen[next] = 1;
-          region.push_back(static_cast<std::uint32_t>(next));
-        }
-      }
+/// The same on columns.
+void grow_columns(Raster& raster, std::size_t reach, std::uint8_t value) {
+  const auto width = static_cast<std::size_t>(raster.width), height = static_cast<std::size_t>(raster.height);
+  std::vector<std::uint8_t> cells((height + 2 * reach) * width, static_cast<std::uint8_t>(1 - value));
+  std::copy(raster.cells.begin(), raster.cells.end(),
+            cells.begin() + static_cast<std::ptrdiff_t>(reach * width));
+  spread_lines(cells, height, width, 2 * reach + 1, value);
+  std::copy_n(cells.begin(), raster.cells.size(), raster.cells.begin());
+}
+
+/// Cells of one value without a gap, and the region that they belong to.
+struct CellRun {
+  std::int32_t y, begin, end;
+  std::uint32_t parent;  ///< a run of the same region that comes no later; the first one is its own
+  std::uint64_t cells;   ///< of a first run: of the whole region
+};
+
+std::uint32_t first_of(std::vector<CellRun>& runs, std::uint32_t run) {
+  while (runs[run].parent != run) run = runs[run].parent = runs[runs[run].parent].parent;
+  return run;
+}
+
+void join(std::vector<CellRun>& runs, std::uint32_t a, std::uint32_t b) {
+  a = first_of(runs, a);
+  b = first_of(runs, b);
+  if (a == b) return;
+  if (b < a) std::swap(a, b);
+  runs[b].parent = a;
+  runs[a].cells += runs[b].cells;
+}
+
+/// Runs of that value row by row, joined into connected regions.
+std::vector<CellRun> regions_of(const Raster& raster, std::uint8_t value, bool by_corners) {
+  const std::int32_t reach = by_corners ? 1 : 0;
+  std::vector<CellRun> runs;
+  std::size_t above = 0;  // first run of the row before that may touch
+  for (std::int32_t y = 0; y < raster.height; ++y) {
+    const std::uint8_t* const row = raster.cells.data() + raster.index(0, y);
+    const std::uint8_t* const row_end = row + raster.width;
+    const std::size_t row_begin = runs.size();
+    for (const std::uint8_t* at = std::find(row, row_end, value); at != row_end;
+         at = std::find(at, row_end, value)) {
+      const std::uint8_t* const begin = at;
+      at = std::find(at, row_end, static_cast<std::uint8_t>(1 - value));
+      const auto index = static_cast<std::uint32_t>(runs.size());
+      const auto x0 = static_cast<std::int32_t>(begin - row), x1 = static_cast<std::int32_t>(at - row);
+      runs.push_back({y, x0, x1, index, static_cast<std::uint64_t>(x1 - x0)});
+      while (above < row_begin && runs[above].end + reach <= x0) ++above;
+      for (std::size_t other = above; other < row_begin && runs[other].begin < x1 + reach; ++other)
+        join(runs, static_cast<std::uint32_t>(other), index);
     }
-    visit(region);
+    above = row_begin;
   }
+  return runs;
+}
+
+void set_run(Raster& raster, const CellRun& run, std::uint8_t value) {
+  std::fill_n(raster.cells.begin() + static_cast<std::ptrdiff_t>(raster.index(run.begin, run.y)),
+              run.end - run.begin, value);
 }
 
 double cell_area(const Raster& raster, std::size_t cells) {
@@ -128,30 +175,30 @@ void paint(Raster& raster, std::span<const ExtentLoop> loops) {
 }
 
 void close_gaps(Raster& raster, double max_gap) {
-  const auto reach = static_cast<std::int32_t>(round_half_even(max_gap / 2 / raster.cell));
-  if (reach < 1) return;
+  const std::int64_t cells = round_half_even(max_gap / 2 / raster.cell);
+  if (cells < 1) return;
+  const auto reach =
+      static_cast<std::size_t>(std::min<std::int64_t>(cells, std::max(raster.width, raster.height)));
   for (const std::uint8_t value : {std::uint8_t{1}, std::uint8_t{0}}) {
-    grow_lines(raster, reach, true, value, raster.cells);
-    grow_lines(raster, reach, false, value, raster.cells);
+    grow_rows(raster, reach, value);
+    grow_columns(raster, reach, value);
   }
 }
 
 void fill_holes(Raster& raster, double max_hole) {
-  std::vector<std::uint8_t> filled = raster.cells;
-  for_each_region(raster, 0, true, [&](const std::vector<std::uint32_t>& region) {
-    if (region.front() == 0 || cell_area(raster, region.size()) >= max_hole) return;  // 0: the outside
-    for (const std::uint32_t i : region) filled[i] = 1;
-  });
-  raster.cells = filled;
+  std::vector<CellRun> runs = regions_of(raster, 0, true);
+  for (std::uint32_t i = 0; i < runs.size(); ++i) {
+    const std::uint32_t first = first_of(runs, i);
+    if (first == 0 || cell_area(raster, runs[first].cells) >= max_hole) continue;  // 0: the outside
+    set_run(raster, runs[i], 1);
+  }
 }
 
 void drop_islands(Raster& raster, double min_area) {
-  std::vector<std::uint8_t> left = raster.cells;
-  for_each_region(raster, 1, false, [&](const std::vector<std::uint32_t>& region) {
-    if (cell_area(raster, region.size()) >= min_area) return;
-    for (const std::uint32_t i : region) left[i] = 0;
-  });
-  raster.cells = left;
+  std::vector<CellRun> runs = regions_of(raster, 1, false);
+  for (std::uint32_t i = 0; i < runs.size(); ++i) {
+    if (cell_area(raster, runs[first_of(runs, i)].cells) < min_area) set_run(raster, runs[i], 0);
+  }
 }
 
 std::vector<CellLoop> cell_borders(const Raster& raster) {

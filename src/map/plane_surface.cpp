@@ -82,14 +82,17 @@ Surface surface_of(const PlaneLeaf& leaf, const Vector3& origin) {
 SurfaceEstimate estimate(const Surface& surface, const PlaneMapOptions& options) {
   const PlaneMoments& m = surface.moments;
   const std::array<double, 6> scatter = scatter_of(m);
-  const SymmetricEigen eigen = symmetric_eigen(scatter);
   SurfaceEstimate e;
   e.centroid = surface.origin + (1 / m.weight) * Vector3{m.x, m.y, m.z};
   e.extent = __builtin_sqrt(std::max(0.0, (scatter[0] + scatter[3] + scatter[5]) / m.weight));
   const double by_frames = options.shared_noise * surface.tilt / m.weight;
-  const double by_places = tilt_by_places(eigen.values[1], m.weight, options);
   e.normal = normalized(surface.towards_camera);
-  if (by_places < by_frames + square(options.floor.angle_rad)) {
+  const double bar = by_frames + square(options.floor.angle_rad);
+  // The second largest spread is at most half of all: mostly that is too little already.
+  const double most_spread = 0.51 * (scatter[0] + scatter[3] + scatter[5]);
+  const bool by_places = tilt_by_places(most_spread, m.weight, options) < bar;
+  const SymmetricEigen eigen = by_places ? symmetric_eigen(scatter) : SymmetricEigen{};
+  if (by_places && tilt_by_places(eigen.values[1], m.weight, options) < bar) {
     e.normal = (dot(eigen.vectors[0], e.normal) < 0 ? -1.0 : 1.0) * eigen.vectors[0];
     e.u = eigen.vectors[1];
   } else {

@@ -16,6 +16,14 @@
 /// Which of the core's tables of kernels this machine can run. All give the same bits; they differ in time.
 namespace straightedge {
 
+/// Registering of depth frames into a plane map, step 1 to 3 of PlaneMapBuilder.
+struct PlaneRowKernels;
+extern const PlaneRowKernels plain_plane_row_kernels;
+#if defined(__x86_64__)
+extern const PlaneRowKernels avx2_plane_row_kernels;
+extern const PlaneRowKernels avx512_plane_row_kernels;
+#endif
+
 /// The tables made for one instruction set.
 struct KernelSet {
   std::string_view name;  ///< "plain", "sse2", "avx2" or "avx512"
@@ -25,6 +33,7 @@ struct KernelSet {
   const DepthKernels* depth = &plain_depth_kernels;
   const PlaneSearchKernels* plane_search = &plain_plane_search_kernels;
   const HoughPatchKernels* hough_patches = &plain_hough_patch_kernels;
+  const PlaneRowKernels* plane_rows = &plain_plane_row_kernels;
 };
 
 /// Those that the processor has the instructions for: plain first, the fastest last.

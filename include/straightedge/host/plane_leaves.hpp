@@ -74,6 +74,14 @@ class PlaneLeaves {
   PlaneLeafSums& at(std::size_t place) noexcept { return leaves_[place].sums; }
   const PlaneLeaf& leaf(std::size_t place) const noexcept { return leaves_[place]; }
 
+  /// Adds the sums to the leaf with this key.
+  void add(const PlaneLeafKey& key, const PlaneLeafSums& sums);
+
+  /// Say that `add` will come with this key soon; the second one a little later. What is far away in memory
+  /// comes closer meanwhile.
+  void expect(const PlaneLeafKey& key) const noexcept;
+  void expect_sums(const PlaneLeafKey& key) const noexcept;
+
   std::size_t size() const noexcept { return leaves_.size(); }
   /// In the order of first readings, which depends on the order of frames.
   std::span<const PlaneLeaf> unordered() const noexcept { return leaves_; }
@@ -89,6 +97,7 @@ class PlaneLeaves {
   std::uint64_t frames = 0;  ///< how many were added
 
  private:
+  std::uint32_t& slot_for(const PlaneLeafKey& key);
   void grow();
 
   std::vector<PlaneLeaf> leaves_;

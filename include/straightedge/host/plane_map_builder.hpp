@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "straightedge/depth_view.hpp"
+#include "straightedge/detail/plane_run.hpp"
 #include "straightedge/found_planes.hpp"
+#include "straightedge/host/kernels.hpp"
 #include "straightedge/host/plane_leaves.hpp"
 #include "straightedge/host/plane_map.hpp"
 #include "straightedge/host/pose.hpp"
@@ -99,7 +101,9 @@ struct PlaneMapReading {
 /// Any order of frames, and any partition of them over builders that are merged, gives the same bytes.
 class PlaneMapBuilder {
  public:
-  explicit PlaneMapBuilder(const PlaneMapOptions& options = {}) : options_(options) {}
+  /// All kernels give the same bits.
+  explicit PlaneMapBuilder(const PlaneMapOptions& options = {}, const KernelSet& kernels = best_kernels())
+      : options_(options), kernels_(kernels.plane_rows) {}
 
   /// `labels` has the size of the frame: 0 is no plane, k is planes[k − 1], which is given in the camera's
   /// frame. A frame that is refused leaves no trace: bad_option (options out of range), bad_content (views
@@ -124,8 +128,10 @@ class PlaneMapBuilder {
 
  private:
   PlaneMapOptions options_;
+  const PlaneRowKernels* kernels_;
   PlaneLeaves leaves_;
-  std::vector<std::uint32_t> tally_;  // scratch of add: readings of the frame, one a leaf
+  std::vector<detail::PlaneRun> runs_;  // memory of add, and where to look in it
+  std::vector<std::uint32_t> slots_;
 };
 
 }  // namespace straightedge
