@@ -59,8 +59,16 @@ struct Pixels {
     const float* q = work.inverse_depth.row(y) + left;
     const std::uint16_t* label = labels.row(y) + left;
     InverseDepthMoments missed;
-    for (std::int32_t x = 0; x < width; ++x) {
-      if (q[x] > 0 && label[x] == 0) missed.add(left + x, y, static_cast<double>(q[x]));
+    constexpr std::int32_t at_once = 16;
+    for (std::int32_t first = 0; first < width; first += at_once) {
+      const std::int32_t end = std::min(first + at_once, width);
+      int any = 0;
+      for (std::int32_t x = first; x < end; ++x) {
+        any |= static_cast<int>(q[x] > 0) & static_cast<int>(label[x] == 0);
+      }
+      for (std::int32_t x = first; any != 0 && x < end; ++x) {
+        if (q[x] > 0 && label[x] == 0) missed.add(left + x, y, static_cast<double>(q[x]));
+      }
     }
     sum.subtract(missed);
   }
