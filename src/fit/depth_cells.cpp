@@ -95,7 +95,8 @@ struct CellRow {
       if (sums[i].n == full) {
         out[i] = cells.at(left, top, sums[i]);
       } else {
-        out[i] = sums[i].n == 0 ? InverseDepthMoments{} : of_broken_cell(inverse_depth, side, left, top, sums[i]);
+        out[i] =
+            sums[i].n == 0 ? InverseDepthMoments{} : of_broken_cell(inverse_depth, side, left, top, sums[i]);
       }
     }
   }
