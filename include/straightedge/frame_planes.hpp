@@ -17,7 +17,6 @@
 #include "straightedge/inverse_depth.hpp"
 
 namespace straightedge {
-
 namespace detail {
 class PlaneSurfaces;
 }
@@ -72,8 +71,7 @@ class FramePlanes {
   /// 1/z of the last frame; 0 where there is no reading, and on what was found to be round.
   ImageView<const float> inverse_depth() const noexcept { return inverse_depth_; }
   const DepthCells& cells() const noexcept { return cells_; }
-  /// Labels of the cells of a level after the last assignment (before planes were sorted by size); none of a
-  /// level whose cells are smaller than options.cell.
+  /// After the last assignment, before planes were sorted; none of cells smaller than options.cell.
   std::span<const std::uint16_t> cell_labels(int level) const noexcept {
     return cell_labels_[static_cast<std::size_t>(level)];
   }
