@@ -19,6 +19,13 @@ namespace {
 
 constexpr std::uint16_t gone = 0xFFFF;
 
+/// Pixels of a solid piece: as many cells as the least plane of the usual options has. A large plane may be
+/// in pieces, as the front of a shelf is.
+double solid_pixels(Size size, const FramePlanesOptions& options) noexcept {
+  const double cells = static_cast<double>(least_pixels(size, {})) / (DepthCells::side * DepthCells::side);
+  return std::min(cells * options.cell * options.cell, static_cast<double>(least_pixels(size, options)));
+}
+
 /// Indices of the planes, the one with most pixels first, then in their order.
 void sort_by_pixels(std::span<const InverseDepthMoments> moments, std::span<std::uint16_t> order) noexcept {
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -140,7 +147,7 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
     const auto label = static_cast<std::uint16_t>(k + 1);
     const detail::PlaneShape shape =
         detail::plane_shape(cells_, {labels, label, first_[k], cells_of_[k]}, surfaces_[k], options_,
-                            min_pixels_, camera, memory, last, solid);
+                            solid_pixels(size_, options_), camera, memory, last, solid);
     becomes_[k] = shape == detail::PlaneShape::flat ? k : gone;
     if (shape != detail::PlaneShape::flat) dropped_ = true;
     if (shape != detail::PlaneShape::bent) continue;
