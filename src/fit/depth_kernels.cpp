@@ -9,7 +9,7 @@ namespace STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
 constexpr std::int32_t pixels = DepthChoice::side * DepthChoice::side;
-constexpr std::int32_t columns = 64;  // that are summed at once
+constexpr std::int32_t columns = 32;  // that are summed at once: their sums lie on the stack
 constexpr std::int32_t band = 4;      // rows that are summed at once
 
 void invert(const std::uint16_t* raw, std::int32_t width, float scale, float* inverse) noexcept {
