@@ -72,6 +72,20 @@ class DepthCells {
   std::array<std::span<InverseDepthMoments>, levels> cells_{};
 };
 
+namespace detail {
+
+/// Arrays for so many surfaces.
+constexpr DepthSurfaces take_surfaces(Arena& arena, std::size_t planes) noexcept {
+  const std::size_t step = DepthSurfaces::step, count = (planes + step - 1) / step * step;
+  DepthSurfaces s;
+  for (float** coefficient : {&s.c, &s.x, &s.y, &s.xx, &s.xy, &s.yy}) {
+    *coefficient = arena.take<float>(count).data();
+  }
+  return s;
+}
+
+}  // namespace detail
+
 /// Sum of the squared residuals of the moments' pixels from a plane, 1/metre².
 constexpr double squared_residuals(const InverseDepthMoments& m, const InverseDepthPlane& p) noexcept {
   const double mixed = p.a * m.uq + p.b * m.vq + p.c * m.q;

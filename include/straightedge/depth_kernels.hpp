@@ -39,7 +39,8 @@ struct DepthBlockCounts {
   std::uint32_t rows_missed = 0;  ///< bit y: readings of row y lie outside of the gate
 };
 
-/// Planes to choose from for 4x4 pixels: plane k is at[k] + along[k] x + down[k] y, x and y from their corner.
+/// Planes to choose from for 4x4 pixels: plane k is at[k] + along[k] x + down[k] y, x and y from their
+/// corner.
 struct DepthChoice {
   static constexpr std::int32_t side = 4, stride = 8, most_planes = 9;
   /// The pixels with one more on every side, row by row; 0 is no reading.

@@ -17,27 +17,28 @@
 #include "straightedge/inverse_depth.hpp"
 
 namespace straightedge {
-
 namespace detail {
 class PlaneSurfaces;
 }
 
 /// All planes of a depth frame, with a label for each pixel, from the candidates of any search.
 ///
-///  1. Inverse depth of every pixel; its sums over cells of 4 (or options.cell) to 32 pixels
-///     (depth_cells.hpp).
+///  1. Inverse depth of every pixel; its sums over cells of options.cell to 32 pixels (depth_cells.hpp).
 ///  2. The search proposes planes.
 ///  3. Every cell takes a plane, coarse to fine: a cell of 32 pixels the plane that fits it, if one does; a
 ///     smaller cell one of the planes around it, if one fits; else the best of all. So a plane that
-///     cuts through the wall behind it gets no stripe there: the wall's cells have their wall already.
+///     cuts through the wall behind it gets no stripe there: the wall's cells have their wall already. Cells
+///     that fit their plane well, and no other around, pass it on to all cells in them.
 ///  4. Planes are fitted anew to their cells; those that are one (chi-square in inverse depth, with a floor)
 ///     are joined, wherever in the picture they lie.
 ///  5. A plane without solid pieces (cells that touch) is a stripe along a crease and leaves. One whose solid
 ///     pieces are bent (a quadratic surface fits them better by more than chance, radius below 0.6 m)
 ///     is a strip of something round: it leaves with its cells.
 ///  6. Steps 2 to 5 again on what is left over, if a plane may be in it.
-///  7. Pixels: where all cells around agree, a pixel is its plane's if it lies within the gate; elsewhere it
-///     goes to the nearest of the planes around, judged by the mean over its own surface's 3x3 pixels.
+///  7. Steps 3 to 5 again if planes have left. Pixels: where all cells around agree, a pixel is its plane's
+///  if
+///     it lies within the gate; elsewhere it goes to the nearest of the planes around, judged by the mean
+///     over its own surface's 3x3 pixels.
 ///  8. Last fit to all pixels of each label; planes with too few leave; largest first.
 ///
 /// Overlap-based comparison of range image segmentation: A. Hoover et al., IEEE PAMI 18(7), 1996,
@@ -45,7 +46,7 @@ class PlaneSurfaces;
 /// depth cameras for visual odometry", IROS 2018, doi:10.1109/IROS.2018.8593683.
 ///
 /// Linear in pixels, and in cells times planes for cells that no plane around fits. Memory: about 12 bytes a
-/// pixel. A frame without readings has no planes: an empty result.
+/// pixel. A frame without readings has no planes.
 class FramePlanes {
  public:
   /// 0 for a size or options that `prepare` refuses.
@@ -70,8 +71,7 @@ class FramePlanes {
   /// 1/z of the last frame; 0 where there is no reading, and on what was found to be round.
   ImageView<const float> inverse_depth() const noexcept { return inverse_depth_; }
   const DepthCells& cells() const noexcept { return cells_; }
-  /// Labels of the cells of a level after the last assignment (before planes were sorted by size); none of a
-  /// level whose cells are smaller than options.cell.
+  /// After the last assignment, before planes were sorted; none of cells smaller than options.cell.
   std::span<const std::uint16_t> cell_labels(int level) const noexcept {
     return cell_labels_[static_cast<std::size_t>(level)];
   }
@@ -99,11 +99,7 @@ class FramePlanes {
     surfaces_ = arena.take<detail::BentPlane>(options.max_planes);
     squares_ = arena.take<double>(options.max_planes);
     sums_ = arena.take<detail::QuadraticSums>(options.max_planes);
-    const std::size_t step = DepthSurfaces::step, padded = (options.max_planes + step - 1) / step * step;
-    for (float* DepthSurfaces::*coefficient : {&DepthSurfaces::c, &DepthSurfaces::x, &DepthSurfaces::y,
-                                               &DepthSurfaces::xx, &DepthSurfaces::xy, &DepthSurfaces::yy}) {
-      padded_surfaces_.*coefficient = arena.take<float>(padded).data();
-    }
+    padded_surfaces_ = detail::take_surfaces(arena, options.max_planes);
     contacts_ = arena.take<std::uint32_t>(std::size_t{options.max_planes} * (options.max_planes - 1U) / 2);
     first_ = arena.take<std::uint32_t>(options.max_planes);
     cells_of_ = arena.take<std::uint32_t>(options.max_planes);
@@ -137,10 +133,10 @@ class FramePlanes {
   std::span<std::int32_t> list_;
   std::span<ProposedPlane> candidates_;
   std::span<detail::BentPlane> surfaces_;
-  std::span<double> squares_;         // residuals of each plane's cells from its surface
+  std::span<double> squares_;  // residuals of each plane's cells from its surface
   DepthSurfaces padded_surfaces_;
   std::span<detail::QuadraticSums> sums_;
-  std::span<std::uint32_t> contacts_;   // touching cells of each pair of planes
+  std::span<std::uint32_t> contacts_;          // touching cells of each pair of planes
   std::span<std::uint32_t> first_, cells_of_;  // each plane's first cell, and how many it has
   std::span<InverseDepthMoments> moments_;
   /// What becomes of each plane: itself, an earlier one that it is joined into, or gone; in the end their

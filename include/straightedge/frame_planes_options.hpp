@@ -65,7 +65,9 @@ constexpr bool valid(const FramePlanesOptions& o) noexcept {
 }
 
 /// The level of DepthCells whose cells are the smallest.
-constexpr int finest_level(const FramePlanesOptions& o) noexcept { return o.cell == 4 ? 0 : o.cell == 8 ? 1 : 2; }
+constexpr int finest_level(const FramePlanesOptions& o) noexcept {
+  return o.cell == 4 ? 0 : o.cell == 8 ? 1 : 2;
+}
 
 }  // namespace detail
 }  // namespace straightedge

@@ -48,6 +48,32 @@ struct FullCells {
   }
 };
 
+/// A whole cell some of whose pixels have no reading: q is summed up already.
+InverseDepthMoments of_broken_cell(ImageView<const float> inverse_depth, std::int32_t side, std::int32_t left,
+                                   std::int32_t top, const DepthCellSums& sums) noexcept {
+  std::int32_t n = 0, u = 0, v = 0, uu = 0, uv = 0, vv = 0;
+  for (std::int32_t y = 0; y < side; ++y) {
+    const float* row = inverse_depth.row(top + y) + left;
+    std::int32_t of_row = 0, u_of_row = 0, uu_of_row = 0;
+    for (std::int32_t x = 0; x < side; ++x) {
+      const std::int32_t reads = static_cast<std::int32_t>(row[x] > 0);
+      of_row += reads;
+      u_of_row += x * reads;
+      uu_of_row += x * x * reads;
+    }
+    n += of_row;
+    u += u_of_row;
+    uu += uu_of_row;
+    v += y * of_row;
+    uv += y * u_of_row;
+    vv += y * y * of_row;
+  }
+  const auto number = [](std::int32_t i) noexcept { return static_cast<double>(i); };
+  const InverseDepthMoments cell{number(n),  number(u), number(v), number(uu), number(uv),
+                                 number(vv), sums.q,    sums.uq,   sums.vq,    sums.qq};
+  return cell.seen_from(-left, -top);
+}
+
 /// Cells of one size in a picture.
 struct CellRow {
   ImageView<const float> inverse_depth;
@@ -69,7 +95,8 @@ struct CellRow {
       if (sums[i].n == full) {
         out[i] = cells.at(left, top, sums[i]);
       } else {
-        out[i] = sums[i].n == 0 ? InverseDepthMoments{} : sum(left);
+        out[i] =
+            sums[i].n == 0 ? InverseDepthMoments{} : of_broken_cell(inverse_depth, side, left, top, sums[i]);
       }
     }
   }

@@ -9,7 +9,7 @@ namespace STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
 constexpr std::int32_t pixels = DepthChoice::side * DepthChoice::side;
-constexpr std::int32_t columns = 64;  // that are summed at once
+constexpr std::int32_t columns = 32;  // that are summed at once: their sums lie on the stack
 constexpr std::int32_t band = 4;      // rows that are summed at once
 
 void invert(const std::uint16_t* raw, std::int32_t width, float scale, float* inverse) noexcept {
@@ -210,10 +210,9 @@ void choose(const DepthChoice& pixel, std::int32_t* chosen) noexcept {
   }
 }
 
-constexpr std::uint32_t bit[DepthSurfaces::step] = {1U << 0U,  1U << 1U,  1U << 2U,  1U << 3U,
-                                                    1U << 4U,  1U << 5U,  1U << 6U,  1U << 7U,
-                                                    1U << 8U,  1U << 9U,  1U << 10U, 1U << 11U,
-                                                    1U << 12U, 1U << 13U, 1U << 14U, 1U << 15U};
+constexpr std::uint32_t bit[DepthSurfaces::step] = {
+    1U << 0U, 1U << 1U, 1U << 2U,  1U << 3U,  1U << 4U,  1U << 5U,  1U << 6U,  1U << 7U,
+    1U << 8U, 1U << 9U, 1U << 10U, 1U << 11U, 1U << 12U, 1U << 13U, 1U << 14U, 1U << 15U};
 
 void near(const DepthSurfaces& s, float x, float y, float q, float limit, std::uint32_t* near) noexcept {
   const float xx = x * x, xy = x * y, yy = y * y;
@@ -234,7 +233,7 @@ void near(const DepthSurfaces& s, float x, float y, float q, float limit, std::u
 }  // namespace STRAIGHTEDGE_KERNEL_SET
 
 constinit const DepthKernels STRAIGHTEDGE_OF_SET(_depth_kernels) = {
-    STRAIGHTEDGE_KERNEL_SET::invert, STRAIGHTEDGE_KERNEL_SET::sum_cells,
-    STRAIGHTEDGE_KERNEL_SET::label_block, STRAIGHTEDGE_KERNEL_SET::choose, STRAIGHTEDGE_KERNEL_SET::near};
+    STRAIGHTEDGE_KERNEL_SET::invert, STRAIGHTEDGE_KERNEL_SET::sum_cells, STRAIGHTEDGE_KERNEL_SET::label_block,
+    STRAIGHTEDGE_KERNEL_SET::choose, STRAIGHTEDGE_KERNEL_SET::near};
 
 }  // namespace straightedge

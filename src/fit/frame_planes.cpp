@@ -3,20 +3,28 @@
 #include "straightedge/frame_planes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "cell_labels.hpp"
+#include "cell_tables.hpp"
 #include "free_cells.hpp"
 #include "pixel_labels.hpp"
 #include "plane_shape.hpp"
 #include "plane_surfaces.hpp"
+#include "rename_labels.hpp"
 #include "straightedge/square_root.hpp"
 
 namespace straightedge {
 namespace {
 
 constexpr std::uint16_t gone = 0xFFFF;
+
+/// Pixels of a solid piece: as many cells as the least plane of the usual options has. A large plane may be
+/// in pieces, as the front of a shelf is.
+double solid_pixels(Size size, const FramePlanesOptions& options) noexcept {
+  const double cells = static_cast<double>(least_pixels(size, {})) / (DepthCells::side * DepthCells::side);
+  return std::min(cells * options.cell * options.cell, static_cast<double>(least_pixels(size, options)));
+}
 
 /// Indices of the planes, the one with most pixels first, then in their order.
 void sort_by_pixels(std::span<const InverseDepthMoments> moments, std::span<std::uint16_t> order) noexcept {
@@ -27,97 +35,6 @@ void sort_by_pixels(std::span<const InverseDepthMoments> moments, std::span<std:
       --place;
     }
     order[place] = static_cast<std::uint16_t>(i);
-  }
-}
-
-/// The entry of two planes in a table of pairs.
-std::uint32_t& of_pair(std::span<std::uint32_t> contacts, std::size_t i, std::size_t j) noexcept {
-  return i < j ? contacts[j * (j - 1) / 2 + i] : contacts[i * (i - 1) / 2 + j];
-}
-
-/// Whether four labels equal the four from `other` on.
-bool same_four(const std::uint16_t* labels, const std::uint16_t* other) noexcept {
-  return std::equal(labels, labels + 4, other);
-}
-
-/// How many pairs of neighbouring cells belong to planes i and j.
-void count_contacts(Size size, std::span<const std::uint16_t> labels,
-                    std::span<std::uint32_t> contacts) noexcept {
-  std::fill(contacts.begin(), contacts.end(), 0U);
-  const auto count = [&](std::uint16_t a, std::uint16_t b) noexcept {
-    if (a != b && a != 0 && b != 0) ++of_pair(contacts, a - 1U, b - 1U);
-  };
-  const std::uint16_t* row = labels.data();
-  for (std::int32_t y = 0; y < size.height; ++y, row += size.width) {
-    const std::uint16_t* below = y + 1 < size.height ? row + size.width : row;
-    for (std::int32_t x = 0; x < size.width; ++x) {
-      // Nearly everywhere nothing changes.
-      while (x + 4 < size.width && same_four(row + x, row + x + 1) && same_four(row + x, below + x)) x += 4;
-      if (x + 1 < size.width) count(row[x], row[x + 1]);
-      count(row[x], below[x]);
-    }
-  }
-}
-
-/// Each plane's first cell, and how many it has.
-void count_cells(std::span<const std::uint16_t> labels, std::span<std::uint32_t> first,
-                 std::span<std::uint32_t> count) noexcept {
-  std::fill(count.begin(), count.end(), 0U);
-  for (std::size_t i = 0; i < labels.size();) {
-    const std::size_t begin = i;
-    const std::uint16_t label = labels[i];
-    while (i < labels.size() && labels[i] == label) ++i;
-    if (label == 0) continue;
-    if (count[label - 1U] == 0) first[label - 1U] = static_cast<std::uint32_t>(begin);
-    count[label - 1U] += static_cast<std::uint32_t>(i - begin);
-  }
-}
-
-void rename(std::span<std::uint16_t> cells, std::span<const std::uint16_t> by) noexcept {
-  for (std::uint16_t& cell : cells) cell = by[cell];
-}
-
-/// Labels that are not in `changed` stay.
-void rename_some(std::span<std::uint16_t> row, std::span<const std::uint16_t> changed,
-                 std::span<const std::uint16_t> by) noexcept {
-  constexpr std::size_t at_once = 128;
-  std::array<std::uint16_t, at_once> before;
-  for (std::size_t x = 0; x < row.size(); x += at_once) {
-    std::uint16_t* labels = row.data() + x;
-    const std::size_t width = std::min(at_once, row.size() - x);
-    std::copy(labels, labels + width, before.begin());
-    for (const std::uint16_t from : changed) {
-      const std::uint16_t to = by[from];
-      for (std::size_t i = 0; i < width; ++i) labels[i] = before[i] == from ? to : labels[i];
-    }
-  }
-}
-
-bool changes_nothing(std::span<const std::uint16_t> by) noexcept {
-  for (std::size_t label = 0; label < by.size(); ++label) {
-    if (by[label] != label) return false;
-  }
-  return true;
-}
-
-/// The same for pixels, where it pays to look only for what changes: little, as a rule.
-void rename(ImageView<std::uint16_t> labels, std::span<const std::uint16_t> by) noexcept {
-  constexpr std::size_t few = 3;
-  std::array<std::uint16_t, few> changed;
-  std::size_t count = 0;
-  for (std::size_t label = 0; label < by.size(); ++label) {
-    if (by[label] == label) continue;
-    if (count < few) changed[count] = static_cast<std::uint16_t>(label);
-    ++count;
-  }
-  if (count == 0) return;
-  for (std::int32_t y = 0; y < labels.height; ++y) {
-    const std::span<std::uint16_t> row(labels.row(y), static_cast<std::size_t>(labels.width));
-    if (count > few) {
-      rename(row, by);
-    } else {
-      rename_some(row, std::span(changed).first(count), by);
-    }
   }
 }
 
@@ -140,8 +57,8 @@ Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
 
 void FramePlanes::assign_cells() noexcept {
   // Step 3.
-  detail::CellLabeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels, padded_surfaces_}.label(
-      cell_labels_);
+  detail::CellLabeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels, padded_surfaces_}
+      .label(cell_labels_);
 }
 
 void FramePlanes::refit(const PinholeCamera& camera) noexcept {
@@ -157,18 +74,18 @@ void FramePlanes::refit(const PinholeCamera& camera) noexcept {
 }
 
 void FramePlanes::join(const detail::PlaneSurfaces& fitting) noexcept {
-  count_contacts(cells_.size(cells_.finest()), small_cell_labels(), contacts_);
+  detail::count_contacts(cells_.size(cells_.finest()), small_cell_labels(), contacts_);
   for (std::uint16_t i = 0; i < count_; ++i) {
     if (becomes_[i] != i) continue;
     for (std::uint16_t j = i + 1U; j < count_; ++j) {
       if (becomes_[j] != j) continue;
-      if (!fitting.are_one(sums_[i], sums_[j], squares_[i] + squares_[j], of_pair(contacts_, i, j),
+      if (!fitting.are_one(sums_[i], sums_[j], squares_[i] + squares_[j], detail::of_pair(contacts_, i, j),
                            surfaces_[i], squares_[i])) {
         continue;
       }
       sums_[i].add(sums_[j]);
       for (std::size_t k = 0; k < count_; ++k) {
-        if (k != i && k != j) of_pair(contacts_, i, k) += of_pair(contacts_, j, k);
+        if (k != i && k != j) detail::of_pair(contacts_, i, k) += detail::of_pair(contacts_, j, k);
       }
       candidates_[i].score += candidates_[j].score;
       candidates_[i].confidence = std::max(candidates_[i].confidence, candidates_[j].confidence);
@@ -196,7 +113,7 @@ void FramePlanes::keep() noexcept {
   }
   count_ = kept;
   const auto used = label.first(before + 1U);
-  if (!changes_nothing(used)) rename(small_cell_labels(), used);
+  if (!detail::changes_nothing(used)) detail::rename(small_cell_labels(), used);
 }
 
 void FramePlanes::sort_by_cells() noexcept {
@@ -214,7 +131,7 @@ void FramePlanes::sort_by_cells() noexcept {
   new_label_[0] = 0;
   for (std::uint16_t i = 0; i < count_; ++i) new_label_[before[i] + 1U] = static_cast<std::uint16_t>(i + 1);
   const auto used = new_label_.first(count_ + 1U);
-  if (!changes_nothing(used)) rename(small_cell_labels(), used);
+  if (!detail::changes_nothing(used)) detail::rename(small_cell_labels(), used);
 }
 
 void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
@@ -223,14 +140,14 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
   const detail::ShapeMemory memory{visited_, list_};
   std::fill(visited_.begin(), visited_.end(), std::uint16_t{0});
   const std::span<std::uint16_t> labels = small_cell_labels();
-  count_cells(labels, first_.first(count_), cells_of_.first(count_));
+  detail::count_cells(labels, first_.first(count_), cells_of_.first(count_));
   bool changed = false;
   for (std::uint16_t k = 0; k < count_; ++k) {
     std::size_t solid = 0;
     const auto label = static_cast<std::uint16_t>(k + 1);
     const detail::PlaneShape shape =
-        detail::plane_shape(cells_, {labels, label, first_[k], cells_of_[k]}, surfaces_[k], options_, min_pixels_,
-                            camera, memory, last, solid);
+        detail::plane_shape(cells_, {labels, label, first_[k], cells_of_[k]}, surfaces_[k], options_,
+                            solid_pixels(size_, options_), camera, memory, last, solid);
     becomes_[k] = shape == detail::PlaneShape::flat ? k : gone;
     if (shape != detail::PlaneShape::flat) dropped_ = true;
     if (shape != detail::PlaneShape::bent) continue;
@@ -309,8 +226,8 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
   }
   sort_by_cells();
   judge(depth.camera, true);
-  detail::PixelLabeller{inverse_depth_,   cells_,           small_cell_labels(), surfaces_.first(count_),
-                        options_.gate, *options_.kernels}
+  detail::PixelLabeller{inverse_depth_,          cells_,        small_cell_labels(),
+                        surfaces_.first(count_), options_.gate, *options_.kernels}
       .label(labels, moments_, list_);
   // Step 8.
   const std::span<std::uint16_t> order = becomes_;
@@ -341,7 +258,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
     new_label_[order[i] + 1U] = static_cast<std::uint16_t>(found.planes);
     found.labelled += plane.inliers;
   }
-  rename(labels, new_label_.first(count_ + 1U));
+  detail::rename(labels, new_label_.first(count_ + 1U));
   return status;
 }
 

@@ -29,8 +29,10 @@ struct Grid {
   }
   /// Marks with 0 the cells without a plane around a middle.
   void mark_around(std::int32_t x, std::int32_t y) const noexcept {
-    for (std::int32_t j = std::max<std::int32_t>(y - reach, 0); j <= std::min(y + reach, size.height - 1); ++j) {
-      for (std::int32_t i = std::max<std::int32_t>(x - reach, 0); i <= std::min(x + reach, size.width - 1); ++i) {
+    for (std::int32_t j = std::max<std::int32_t>(y - reach, 0); j <= std::min(y + reach, size.height - 1);
+         ++j) {
+      for (std::int32_t i = std::max<std::int32_t>(x - reach, 0); i <= std::min(x + reach, size.width - 1);
+           ++i) {
         if (labels[place(i, j)] == 0) marks[place(i, j)] = 0;
       }
     }

@@ -47,10 +47,12 @@ void PixelChoice::label_cell(std::int32_t x, std::int32_t y) noexcept {
   const LabelsAround around(size, work_.cell_labels, x, y);
   const std::int32_t cell = DepthCells::side_of(finest), left = x * cell, top = y * cell;
   const InverseDepthMoments* sum =
-      cell == side ? &work_.cells.level(finest)[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
-                                                static_cast<std::size_t>(x)]
-                   : nullptr;
-  const std::int32_t right = std::min(left + cell, labels_.width), bottom = std::min(top + cell, labels_.height);
+      cell == side
+          ? &work_.cells.level(finest)[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+                                       static_cast<std::size_t>(x)]
+          : nullptr;
+  const std::int32_t right = std::min(left + cell, labels_.width),
+                     bottom = std::min(top + cell, labels_.height);
   for (std::int32_t j = top; j < bottom; j += side) {
     for (std::int32_t i = left; i < right; i += side) label_square(i, j, around, sum);
   }

@@ -162,8 +162,15 @@ PlaneShape plane_shape(const DepthCells& cells, const LabelledCells& plane, cons
   // Step 1.
   const std::span<const InverseDepthMoments> small = cells.level(cells.finest());
   const double cell_pixels = options.cell * options.cell;
-  const Flood flood{small, cells.counts(), cells.size(cells.finest()), options.cell * options.cell / 4,
-                    plane.labels, plane.label, surface, options.gate, memory};
+  const Flood flood{small,
+                    cells.counts(),
+                    cells.size(cells.finest()),
+                    options.cell * options.cell / 4,
+                    plane.labels,
+                    plane.label,
+                    surface,
+                    options.gate,
+                    memory};
   double all = static_cast<double>(plane.count), in_solid = 0;
   solid = 0;
   std::size_t left = plane.count;

@@ -82,7 +82,8 @@ void PlaneSurfaces::sum(const DepthCells& cells, std::span<const std::uint16_t> 
   const auto add_cell = [&](int level, std::int32_t x, std::int32_t y, std::uint16_t label) noexcept {
     const auto width = static_cast<std::size_t>(cells.size(level).width);
     if (label == 0) return;
-    add(cells.level(level)[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)], sums[label - 1U]);
+    add(cells.level(level)[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)],
+        sums[label - 1U]);
   };
   const Squares squares{cells.size(finest), cell_labels};
   // The cells of a larger one that are all of one plane count as one: there are far fewer of those.
@@ -115,8 +116,7 @@ bool PlaneSurfaces::fit(const QuadraticSums& sums, BentPlane& surface, double& s
 }
 
 bool PlaneSurfaces::are_one(const QuadraticSums& a, const QuadraticSums& b, double squares_apart,
-                            std::uint32_t touching, BentPlane& surface,
-                            double& squares) const noexcept {
+                            std::uint32_t touching, BentPlane& surface, double& squares) const noexcept {
   QuadraticSums both = a;
   both.add(b);
   BentPlane common;

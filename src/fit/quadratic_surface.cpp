@@ -39,8 +39,8 @@ void QuadraticSums::add(double x, double y, double q, double weight) noexcept {
   const double wq = weight * q;
   // The lower triangle of the products of 1, x, y, xx, xy, yy.
   const std::array<double, terms*(terms + 1) / 2> products{
-      weight,   wx,       wxx,      wy,       wxy,      wyy,      wxx,      wxx * x,  wxx * y,  wxx * xx, wxy,
-      wxy * x,  wxy * y,  wxy * xx, wxy * xy, wyy,      wyy * x,  wyy * y,  wyy * xx, wyy * xy, wyy * yy};
+      weight,  wx,      wxx,      wy,       wxy, wyy,     wxx,     wxx * x,  wxx * y,  wxx * xx, wxy,
+      wxy * x, wxy * y, wxy * xx, wxy * xy, wyy, wyy * x, wyy * y, wyy * xx, wyy * xy, wyy * yy};
   const std::array<double, terms> with_q{wq, wq * x, wq * y, wq * xx, wq * xy, wq * yy};
   for (std::size_t i = 0; i < products.size(); ++i) normal[i] += products[i];
   for (std::size_t i = 0; i < terms; ++i) right[i] += with_q[i];

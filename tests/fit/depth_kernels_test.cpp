@@ -110,7 +110,8 @@ std::vector<std::int32_t> chosen(const DepthKernels& kernels, const DepthChoice&
 TEST_CASE("every set of kernels inverts rows as the plain one") {
   for_sets_and_seeds(200, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t width) {
     std::vector<std::uint16_t> raw(width + 1);
-    for (std::uint16_t& units : raw) units = static_cast<std::uint16_t>(random.below(4) == 0 ? 0 : random.next());
+    for (std::uint16_t& units : raw)
+      units = static_cast<std::uint16_t>(random.below(4) == 0 ? 0 : random.next());
     raw.back() = 65535;
     std::vector<float> expected(width + 2, 7), inverse(width + 2, 7);
     const auto count = static_cast<std::int32_t>(width);
@@ -133,7 +134,8 @@ TEST_CASE("every set of kernels sums cells as the plain one") {
     plain_depth_kernels.sum_cells({rows.data() + 3, stride}, side, cells, expected.data());
     kernels.sum_cells({rows.data() + 3, stride}, side, cells, sums.data());
     for (std::size_t i = 0; i < sums.size(); ++i) {
-      CHECK(std::bit_cast<std::array<std::uint64_t, 4>>(std::array{sums[i].q, sums[i].uq, sums[i].vq, sums[i].qq}) ==
+      CHECK(std::bit_cast<std::array<std::uint64_t, 4>>(
+                std::array{sums[i].q, sums[i].uq, sums[i].vq, sums[i].qq}) ==
             std::bit_cast<std::array<std::uint64_t, 4>>(
                 std::array{expected[i].q, expected[i].uq, expected[i].vq, expected[i].qq}));
       CHECK(sums[i].n == expected[i].n);
@@ -216,15 +218,21 @@ TEST_CASE("every set of kernels finds the near surfaces, as the plain one") {
       for (float& value : coefficients) value = static_cast<float>(uniform(random, -1, 1));
     }
     const auto rows = 1 + static_cast<std::int32_t>(random.below(16));
-    const DepthSurfaces surfaces{c[0].data(), c[1].data(), c[2].data(), c[3].data(),
-                                 c[4].data(), c[5].data(), rows * DepthSurfaces::step};
+    const DepthSurfaces surfaces{c[0].data(),
+                                 c[1].data(),
+                                 c[2].data(),
+                                 c[3].data(),
+                                 c[4].data(),
+                                 c[5].data(),
+                                 rows * DepthSurfaces::step};
     const auto x = static_cast<float>(uniform(random, -1, 1)), y = static_cast<float>(uniform(random, -1, 1));
     std::array<std::uint32_t, 17> expected{}, near{};
     plain_depth_kernels.near(surfaces, x, y, 0.1F, 0.05F, expected.data());
     kernels.near(surfaces, x, y, 0.1F, 0.05F, near.data());
     CHECK(near == expected);
     for (std::size_t k = 0; k < static_cast<std::size_t>(surfaces.count); ++k) {
-      const float at = c[0][k] + c[1][k] * x + c[2][k] * y + c[3][k] * x * x + c[4][k] * x * y + c[5][k] * y * y;
+      const float at =
+          c[0][k] + c[1][k] * x + c[2][k] * y + c[3][k] * x * x + c[4][k] * x * y + c[5][k] * y * y;
       const float square = (0.1F - at) * (0.1F - at);
       if (square > 0.0500001F || square < 0.0499999F) {
         REQUIRE((expected[k / 16] >> (k % 16) & 1U) == (square <= 0.05F ? 1U : 0U));

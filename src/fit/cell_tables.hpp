@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "straightedge/image.hpp"
+
+namespace straightedge::detail {
+
+/// The entry of two planes in a table of pairs.
+inline std::uint32_t& of_pair(std::span<std::uint32_t> contacts, std::size_t i, std::size_t j) noexcept {
+  return i < j ? contacts[j * (j - 1) / 2 + i] : contacts[i * (i - 1) / 2 + j];
+}
+
+/// How many pairs of neighbouring cells belong to planes i and j.
+void count_contacts(Size size, std::span<const std::uint16_t> labels,
+                    std::span<std::uint32_t> contacts) noexcept;
+
+/// Each plane's first cell, and how many it has.
+void count_cells(std::span<const std::uint16_t> labels, std::span<std::uint32_t> first,
+                 std::span<std::uint32_t> count) noexcept;
+
+}  // namespace straightedge::detail
