@@ -208,6 +208,7 @@ Status RansacSearch::prepare(RansacSearch& search, Size size, const RansacSearch
   if (arena.failed()) return Status::workspace_too_small;
   search.size_ = size;
   search.options_ = options;
+  ransac::clear_lattice(Lattice(size, search.options_, search.memory_));
   search.prepared_ = true;
   return Status::ok;
 }
@@ -228,7 +229,7 @@ RansacSearchResult RansacSearch::run(ImageView<const float> inverse_depth,
   result.readings = ransac::draw_lattice(lattice, inverse_depth, mask, options_);
   // Step 2.
   result.noise = ransac::frame_noise(lattice, options_);
-  for (float& w : memory_.w) w /= static_cast<float>(result.noise);
+  ransac::widen_gates(lattice, result.noise);
   // Steps 3 to 5.
   Search search{
       options_, lattice, result, least_cells(options_), options_.max_rms, false, memory_.window.front()};
