@@ -22,6 +22,9 @@ constexpr std::uint64_t first_window_stream = std::uint64_t{1} << 32U;
 
 /// Boxes grow by this.
 constexpr std::int32_t growing = 4;
+/// A plane that became so many times as large in the frame is worth another round there: bent surfaces are
+/// larger for the plane of the whole than for that of a part.
+constexpr std::uint32_t much = 2;
 
 /// So many readings are enough for a round of growing.
 constexpr std::uint32_t enough_cells = 1000;
@@ -101,11 +104,12 @@ bool grow(Search& s, std::int32_t column, std::int32_t row, std::int32_t half, I
     // Twice half of the picture's longer side is nearly all of it.
     const bool last = h > half && 2 * h >= longest;
     const ransac::CellBox box = last ? ransac::whole(s.lattice) : ransac::box_round(s.lattice, column, row, h);
+    const std::uint32_t before = core.cells;
     const Growth growth = grow_to(s, box, last ? s.least_cells : s.least_cells / 2, fit, core);
     if (growth == Growth::too_rough && !s.rough) set_aside(s, column, row, half, fit.plane, core.bounds);
     if (growth != Growth::grown) return false;
-    if (last) return true;
-    if (h > half && inside(core.bounds, box, s.lattice)) return core.cells >= s.least_cells;
+    if (last && core.cells < much * before) return true;
+    if (!last && h > half && inside(core.bounds, box, s.lattice)) return core.cells >= s.least_cells;
   }
 }
 
