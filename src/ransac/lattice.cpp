@@ -43,8 +43,8 @@ bool all_masked(const Picture& picture, const Pixels& p) noexcept {
 }
 
 /// Each cell's reading in one row of pixels.
-void take_row(const Lattice& lattice, const Picture& picture, std::int32_t column, std::int32_t end, std::int32_t row,
-              std::int32_t du, std::int32_t v) noexcept {
+void take_row(const Lattice& lattice, const Picture& picture, std::int32_t column, std::int32_t end,
+              std::int32_t row, std::int32_t du, std::int32_t v) noexcept {
   const detail::RansacSearchMemory& m = lattice.memory;
   const float* depths = picture.inverse_depth.row(v);
   const std::uint16_t* masks = picture.masked() ? picture.mask.row(v) : nullptr;
@@ -102,8 +102,8 @@ std::uint32_t weigh_row(const Lattice& lattice, std::size_t first, const PlaneGa
   const double square = gate.fixed_m > 0 ? gate.fixed_m : gate.sigmas * gate.floor_m;
   const double least = gate.fixed_m > 0 ? 0 : gate.sigmas * gate.inverse_sigma;
   const std::int32_t count = (lattice.columns + cell_lanes - 1) / cell_lanes * cell_lanes;
-  lattice.kernels.weigh(&m.q[first], &m.w[first], count, static_cast<float>(least), static_cast<float>(square),
-                        no_reading);
+  lattice.kernels.weigh(&m.q[first], &m.w[first], count, static_cast<float>(least),
+                        static_cast<float>(square), no_reading);
   std::uint32_t readings = 0;
   for (std::size_t i = first; i < first + static_cast<std::size_t>(lattice.columns); ++i)
     readings += m.q[i] > 0 ? 1U : 0U;

@@ -16,7 +16,8 @@ using hough::PatchScene;
 // Patches that know their normal badly spread their votes thin: a plane has at least this part of them in its
 // best cell.
 constexpr std::uint32_t thinnest = 16;
-// A patch with less than this part of the readings that a plane needs is small change, spread over many cells.
+// A patch with less than this part of the readings that a plane needs is small change, spread over many
+// cells.
 constexpr std::uint32_t smallest_voter = 64;
 
 /// What the steps of one run share.

@@ -20,11 +20,11 @@ void mark_row(const SearchReadings& row, std::int32_t count, const SearchPlane& 
   }
 }
 
-void keep_row(const std::uint8_t* above, const std::uint8_t* hit, const std::uint8_t* below, std::int32_t count,
-              std::uint8_t* __restrict core, std::uint8_t* __restrict counts) noexcept {
+void keep_row(const std::uint8_t* above, const std::uint8_t* hit, const std::uint8_t* below,
+              std::int32_t count, std::uint8_t* __restrict core, std::uint8_t* __restrict counts) noexcept {
   for (std::int32_t i = 0; i < count; ++i) {
-    const auto near = static_cast<std::uint8_t>(above[i - 1] + above[i] + above[i + 1] + hit[i - 1] + hit[i + 1] +
-                                                below[i - 1] + below[i] + below[i + 1]);
+    const auto near = static_cast<std::uint8_t>(above[i - 1] + above[i] + above[i + 1] + hit[i - 1] +
+                                                hit[i + 1] + below[i - 1] + below[i] + below[i + 1]);
     const auto kept = static_cast<std::uint8_t>((near >= least_neighbours ? 1 : 0) & hit[i]);
     core[i] = kept;
     counts[i] = static_cast<std::uint8_t>(counts[i] + kept);
@@ -32,7 +32,8 @@ void keep_row(const std::uint8_t* above, const std::uint8_t* hit, const std::uin
 }
 
 /// Adds the counts up, which begin anew.
-std::uint32_t collect(std::uint8_t* __restrict counts, std::int32_t count, std::uint8_t* __restrict columns) noexcept {
+std::uint32_t collect(std::uint8_t* __restrict counts, std::int32_t count,
+                      std::uint8_t* __restrict columns) noexcept {
   std::uint32_t sum = 0;
   for (std::int32_t i = 0; i < count; ++i) {
     sum += counts[i];
@@ -121,8 +122,8 @@ void mark_hits(const SearchReadings& readings, const SearchBox& box, const Searc
     mark_row(moved(readings, y * box.stride), width, p, hit + y * box.stride);
 }
 
-SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core, std::uint8_t* counts,
-                       std::uint8_t* columns) noexcept {
+SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core,
+                       std::uint8_t* counts, std::uint8_t* columns) noexcept {
   // A byte counts to 255.
   constexpr std::int32_t most_rows = 255;
   const std::int32_t width = rounded_up(box.width, byte_step);
