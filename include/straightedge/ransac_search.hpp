@@ -80,30 +80,28 @@ struct RansacSearchMemory {
 /// Candidate planes of a depth frame, large and small, for a labelling that gives each pixel the best of
 /// them.
 ///
-///   1. Draw one reading of every square of cell x cell pixels: the pixel of the square by chance, one draw
-///   for
-///      sixteen squares side by side; if it has no reading, the next that has. The noise of neighbouring
-///      pixels is shared over three to five of them: sixteen readings of a square say little more than one.
-///   2. The frame's noise: RANSAC with a wide gate in windows on a grid; the lower quartile of the residuals.
-///   A
-///      frame that is noisier than gate.inverse_sigma, or bent, gets a wider gate. (Gates in metres stay.)
-///   3. Windows of three sizes, large to small, in steps of half a window; none smaller than the smallest
-///   plane.
-///      In each, RANSAC among the readings that are left: sixteen triples at a time, their MSAC costs in the
-///      window, refits of the best with a threshold from wide to narrow, until the stop rule or max_draws.
-///      The readings of a window are near one another, so that a face of 1000 pixels among 300 000, hopeless
-///      for triples from the whole frame, is found in a few draws.
-///   4. Grow: refit to the readings within the gate in boxes four times as large each, at last in the frame,
-///      until the plane ends inside its box; in the frame again while that doubles it. A reading counts if
-///      three of its eight neighbours do too. Refused are planes with less than min_pixels and those whose
-///      residuals fill the gate (rms > max_rms, in the window already or in a box): noise of a third of the
-///      gate leaves 0.33, the compromise between two surfaces, or a curved one, near 0.58. The others are
-///      candidates and their readings leave.
-///   5. Planes that were refused for their residuals grow again, with rough_rms in place of max_rms, among
-///   what
-///      is left: those refused first, at most two for each of max_candidates.
-///   6. Contest: each reading goes to the candidate that fits it and its neighbours best, and every candidate
-///      is refitted to what it has. Sorted by score.
+///   1. Draw one reading of every square of cell x cell pixels: the pixel of the square by chance, one
+///      draw for sixteen squares side by side; if it has no reading, the next that has. The noise of
+///      neighbouring pixels is shared over three to five of them: sixteen readings of a square say
+///      little more than one.
+///   2. The frame's noise: RANSAC with a wide gate in windows on a grid; the lower quartile of the
+///      residuals. A frame that is noisier than gate.inverse_sigma, or bent, gets a wider gate. (Gates
+///      in metres stay.)
+///   3. Windows of three sizes, large to small, in steps of half a window; none smaller than the
+///      smallest plane. In each, RANSAC among the readings that are left: sixteen triples at a time,
+///      their MSAC costs in the window, refits of the best with a threshold from wide to narrow, until
+///      the stop rule or max_draws. The readings of a window are near one another, so that a face of
+///      1000 pixels among 300 000, hopeless for triples from the whole frame, is found in a few draws.
+///   4. Grow: refit to the readings within the gate in boxes four times as large each, at last in the
+///      frame, until the plane ends inside its box; in the frame again while that doubles it. A
+///      reading counts if three of its eight neighbours do too. Refused are planes with less than
+///      min_pixels and those whose residuals fill the gate (rms > max_rms, in the window already or in
+///      a box): noise of a third of the gate leaves 0.33, the compromise between two surfaces, or a
+///      curved one, near 0.58. The others are candidates and their readings leave.
+///   5. Planes that were refused for their residuals grow again, with rough_rms in place of max_rms,
+///      among what is left: those refused first, at most two for each of max_candidates.
+///   6. Contest: each reading goes to the candidate that fits it and its neighbours best, and every
+///      candidate is refitted to what it has. Sorted by score.
 ///
 /// Papers: ransac_planes.hpp. Deterministic: the cells of row r are drawn from stream r, window i draws from
 /// stream 2^32 + i of the seed; all sums have a fixed order, the same for every table of kernels.
