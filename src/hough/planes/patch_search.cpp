@@ -112,9 +112,16 @@ Status grow_peaks(Search& search) noexcept {
   return Status::ok;
 }
 
+/// Have the free patches together as many readings as a candidate needs?
+bool enough_left(const Search& search) noexcept {
+  double readings = 0;
+  for (const HoughPatchMean& mean : search.pool.free) readings += search.pool.of(mean).moments->n;
+  return readings >= search.scene.options.min_pixels;
+}
+
 /// Step 6.
 Status search_rounds(Search& search) noexcept {
-  for (std::int32_t round = 0; round < search.scene.options.rounds; ++round) {
+  for (std::int32_t round = 0; round < search.scene.options.rounds && enough_left(search); ++round) {
     std::uint32_t voters = 0;
     if (const Status status = vote(search, voters); status != Status::ok) return status;
     search.votes += voters;
