@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "straightedge/host/depth_file.hpp"
+#include "straightedge/host/kernels.hpp"
 #include "straightedge/hough_plane_patches.hpp"
 #include "straightedge/hough_planes.hpp"
 #include "straightedge/random.hpp"
@@ -100,7 +101,7 @@ Frame room(Size size) {
 }
 
 void run_patches(benchmark::State& state, const Frame& frame) {
-  const HoughPatchOptions options;
+  const HoughPatchOptions options{.kernels = best_kernels().hough_patches};
   std::vector<std::byte> memory(HoughPatchSearch::workspace_bytes(frame.inverse_depth.size(), options));
   std::vector<ProposedPlane> candidates(64);
   HoughPatchSearch search;

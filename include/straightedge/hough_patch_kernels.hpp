@@ -5,14 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The inner loop of HoughPatchSearch (hough_plane_patches.hpp) over the pixels, as a table. The plain table is
-/// always there; others hold the same text compiled for more instructions, which gives the same bits. Which of
-/// them this machine can run, the application must know (host/kernels.hpp asks the processor): a table's
-/// functions stop a program that has not the instructions.
+/// The inner loop of HoughPatchSearch (hough_plane_patches.hpp) over the pixels, as a table. The plain table
+/// is always there; others hold the same text compiled for more instructions, which gives the same bits.
+/// Which of them this machine can run, the application must know (host/kernels.hpp asks the processor): a
+/// table's functions stop a program that has not the instructions.
 namespace straightedge {
 
-/// Sums over the readings of a square of 8 x 8 pixels. u and v count from its corner, q from the reference. Each
-/// is the sum of the sums of its eight columns: added up four apart, two, one.
+/// Sums over the readings of a square of 8 x 8 pixels. u and v count from its corner, q from the reference.
+/// Each is the sum of the sums of its eight columns: added up four apart, two, one.
 struct SquareSums {
   float reference = 0;  ///< a reading of the square; 0 if it has none
   float q = 0, uq = 0, vq = 0, qq = 0;
@@ -22,7 +22,8 @@ struct SquareSums {
 
 struct HoughPatchKernels {
   /// Two squares beside one another, rows `stride` floats apart. A reading is above 0 and at most `farthest`.
-  void (*sum_squares)(const float* pixels, std::ptrdiff_t stride, float farthest, SquareSums (&sums)[2]) noexcept;
+  void (*sum_squares)(const float* pixels, std::ptrdiff_t stride, float farthest,
+                      SquareSums (&sums)[2]) noexcept;
 };
 
 /// Portable loops; what every other table is compared with.

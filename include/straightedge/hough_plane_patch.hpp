@@ -91,7 +91,8 @@ constexpr bool valid(const HoughPatchOptions& o) noexcept {
   const bool search = o.max_distance_m > 0 && o.max_distance_m <= 1e6 && o.max_spread_rad > 0 &&
                       o.max_spread_rad <= 1 && o.max_candidates >= 1 && o.max_candidates <= 1024 &&
                       o.rounds >= 1 && o.rounds <= 16;
-  return o.gate.valid() && HoughAccumulator::cell_count(o.accumulator) > 0 && sizes && noise && search && o.kernels != nullptr;
+  return o.gate.valid() && HoughAccumulator::cell_count(o.accumulator) > 0 && sizes && noise && search &&
+         o.kernels != nullptr;
 }
 
 }  // namespace detail

@@ -69,9 +69,8 @@ struct HoughPatchMemory {
 ///      most 16, the mean within the gate, and the plane is known there to one sigma (near the peak to
 ///      three). Fit, and again, until nothing changes. Fewer readings than min_pixels: no candidate, and the
 ///      seed votes no more.
-///   6. Steps 3 to 5 again by the patches that no candidate took, `rounds` times in all: what was hidden
-///   beside
-///      a higher peak stands alone now.
+///   6. Steps 3 to 5 again by the patches that no candidate took, `rounds` times in all, as long as they
+///      have min_pixels together: what was hidden beside a higher peak stands alone now.
 ///   7. A candidate whose readings the planes with more readings explain about as well, each by the nearest
 ///   of
 ///      them, leaves: patches across a crease look like a chamfer.

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The inner loops of RansacSearch (ransac_search.hpp): one table of functions. The plain table is always there;
-/// others hold the same text compiled for more instructions, which gives the same bits. Which of them this
-/// machine can run, the application must know (host/kernels.hpp asks the processor): a table's functions stop a
-/// program that has not the instructions.
+/// The inner loops of RansacSearch (ransac_search.hpp): one table of functions. The plain table is always
+/// there; others hold the same text compiled for more instructions, which gives the same bits. Which of them
+/// this machine can run, the application must know (host/kernels.hpp asks the processor): a table's functions
+/// stop a program that has not the instructions.
 ///
 /// Sums are kept in search_lanes partial sums, reading i adding to sum i % 16; they are added up pairwise, 8
 /// apart, 4, 2, 1.
@@ -54,8 +54,9 @@ struct SearchSums {
   float r = 0, ur = 0, vr = 0, rr = 0, ww = 0;
 };
 
-/// Cells in rows `stride` apart, the rows whole groups of search_lanes or followed by cells without a reading.
-/// Kernels may read, and write into arrays of marks and costs, up to search_overrun cells after a row.
+/// Cells in rows `stride` apart, the rows whole groups of search_lanes or followed by cells without a
+/// reading. Kernels may read, and write into arrays of marks and costs, up to search_overrun cells after a
+/// row.
 struct SearchBox {
   std::int32_t width = 0, height = 0;
   std::ptrdiff_t stride = 0;
@@ -75,14 +76,14 @@ struct PlaneSearchKernels {
                       SearchPlanes& planes) noexcept;
 
   /// Readings with (residual / gate)² below `most`; `padded` is a multiple of search_lanes.
-  SearchInliers (*find_inliers)(const SearchReadings& readings, std::uint32_t padded, const SearchPlane& plane,
-                                float most) noexcept;
+  SearchInliers (*find_inliers)(const SearchReadings& readings, std::uint32_t padded,
+                                const SearchPlane& plane, float most) noexcept;
   /// Their sums.
-  void (*sum_inliers)(const SearchReadings& readings, std::uint32_t padded, const SearchPlane& plane, float most,
-                      SearchSums& sums) noexcept;
+  void (*sum_inliers)(const SearchReadings& readings, std::uint32_t padded, const SearchPlane& plane,
+                      float most, SearchSums& sums) noexcept;
 
-  /// 1 / gate of readings: 1 over the larger of `least` and `per_square` q². What is beyond 1e6, or whose gate
-  /// reaches q, is no reading: q becomes `none`. Where q is `none`, w is 1.
+  /// 1 / gate of readings: 1 over the larger of `least` and `per_square` q². What is beyond 1e6, or whose
+  /// gate reaches q, is no reading: q becomes `none`. Where q is `none`, w is 1.
   void (*weigh)(float* q, float* w, std::int32_t padded, float least, float per_square, float none) noexcept;
 
   /// How many of `q` are above 0, in rows up to the next multiple of search_lanes or somewhat less.
@@ -91,19 +92,20 @@ struct PlaneSearchKernels {
   /// 1 for each cell whose reading is within the gate, else 0.
   void (*mark_hits)(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane,
                     std::uint8_t* hit) noexcept;
-  /// `core` is 1 for each hit that has three hits among its eight neighbours, else 0. `columns` gets the OR over
-  /// each column; `counts` is room for a row.
-  SearchMarks (*keep_dense)(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core, std::uint8_t* counts,
-                            std::uint8_t* columns) noexcept;
+  /// `core` is 1 for each hit that has three hits among its eight neighbours, else 0. `columns` gets the OR
+  /// over each column; `counts` is room for a row.
+  SearchMarks (*keep_dense)(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core,
+                            std::uint8_t* counts, std::uint8_t* columns) noexcept;
   /// Sums over the marked cells, u and v counted from (u0, v0). `marks` is room for a row.
   void (*sum_marked)(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
                      const SearchPlane& plane, float u0, float v0, float* marks, SearchSums& sums) noexcept;
 
-  /// What a cell costs is min((residual / gate)², 1), its own and those of the eight round it added up. Marked
-  /// cells for which this is less than `cost` get that cost and the label. `rows` is room for five rows of the
-  /// box.
+  /// What a cell costs is min((residual / gate)², 1), its own and those of the eight round it added up.
+  /// Marked cells for which this is less than `cost` get that cost and the label. `rows` is room for five
+  /// rows of the box.
   void (*take_cheaper)(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
-                       const SearchPlane& plane, float label, float* rows, float* cost, float* owner) noexcept;
+                       const SearchPlane& plane, float label, float* rows, float* cost,
+                       float* owner) noexcept;
 };
 
 /// Portable loops; what every other table is compared with.

@@ -27,8 +27,8 @@ struct RansacSearchResult {
 
 namespace detail {
 
-/// The free readings of a window, ready to be drawn from and scored. Pixels count from (u0, v0). What fills the
-/// last group of sixteen up is far from every plane.
+/// The free readings of a window, ready to be drawn from and scored. Pixels count from (u0, v0). What fills
+/// the last group of sixteen up is far from every plane.
 struct RansacWindow {
   static constexpr std::uint32_t capacity = 176;
   float u[capacity], v[capacity], q[capacity], w[capacity];
@@ -44,10 +44,10 @@ struct RansacRoughPlane {
 
 /// Cells in rows with a border of at least one, on the left of sixteen: rows begin where vectors do.
 struct RansacSearchMemory {
-  std::span<float> u, v, q, w;     ///< a cell's reading: pixel, 1/z, 1 / gate
-  std::span<float> free_q;         ///< q of readings that no candidate has taken; at the end costs
-  std::span<float> owner;          ///< numbers of candidates
-  std::span<float> row;            ///< five of cells
+  std::span<float> u, v, q, w;  ///< a cell's reading: pixel, 1/z, 1 / gate
+  std::span<float> free_q;      ///< q of readings that no candidate has taken; at the end costs
+  std::span<float> owner;       ///< numbers of candidates
+  std::span<float> row;         ///< five of cells
   std::span<std::uint8_t> hit, core, counts, columns;
   std::span<ProposedPlane> candidates;
   std::span<RansacRoughPlane> rough;
@@ -58,7 +58,8 @@ struct RansacSearchMemory {
     const auto cell = static_cast<std::size_t>(options.cell);
     const std::size_t overrun = search_overrun;
     const std::size_t stride = ((static_cast<std::size_t>(size.width) + cell - 1) / cell + 15) / 16 * 16 + 16;
-    const std::size_t cells = stride * ((static_cast<std::size_t>(size.height) + cell - 1) / cell + 2) + overrun;
+    const std::size_t cells =
+        stride * ((static_cast<std::size_t>(size.height) + cell - 1) / cell + 2) + overrun;
     RansacSearchMemory m;
     for (std::span<float>* plane : {&m.u, &m.v, &m.q, &m.w, &m.free_q, &m.owner})
       *plane = arena.take<float>(cells);
@@ -79,25 +80,28 @@ struct RansacSearchMemory {
 /// Candidate planes of a depth frame, large and small, for a labelling that gives each pixel the best of
 /// them.
 ///
-///   1. Draw one reading of every square of cell x cell pixels: the pixel of the square by chance, one draw for
-///      sixteen squares side by side; if it has no reading, the next that has. The noise of neighbouring pixels
-///      is shared over three to five of them: sixteen readings of a square say little more than one.
-///   2. The frame's noise: RANSAC with a wide gate in windows on a grid; the lower quartile of the residuals. A
-///      frame that is noisier than gate.inverse_sigma, or bent, gets a wider gate. (Gates in metres stay.)
-///   3. Windows of three sizes, large to small, in steps of half a window; none smaller than the smallest plane.
-///      In each, RANSAC among the readings that are left: sixteen triples at a time, their MSAC costs in the
-///      window, refits of the best with a threshold from wide to narrow, until the stop rule or max_draws. The
-///      readings of a window are near one another, so that a face of 1000 pixels among 300 000, hopeless for
-///      triples from the whole frame, is found in a few draws.
-///   4. Grow: refit to the readings within the gate in boxes four times as large each, at last in the frame,
-///      until the plane ends inside its box. A reading counts if three of its eight neighbours do too. Refused
-///      are planes with less than min_pixels and those whose residuals fill the gate (rms > max_rms, in the
-///      window already or in a box): noise of a third of the gate leaves 0.33, the compromise between two
-///      surfaces, or a curved one, near 0.58. The others are candidates and their readings leave.
-///   5. Planes that were refused for their residuals grow again, with rough_rms in place of max_rms, among what
-///      is left: those refused first, at most two for each of max_candidates.
-///   6. Contest: each reading goes to the candidate that fits it and its neighbours best, and every candidate
-///      is refitted to what it has. Sorted by score.
+///   1. Draw one reading of every square of cell x cell pixels: the pixel of the square by chance, one
+///      draw for sixteen squares side by side; if it has no reading, the next that has. The noise of
+///      neighbouring pixels is shared over three to five of them: sixteen readings of a square say
+///      little more than one.
+///   2. The frame's noise: RANSAC with a wide gate in windows on a grid; the lower quartile of the
+///      residuals. A frame that is noisier than gate.inverse_sigma, or bent, gets a wider gate. (Gates
+///      in metres stay.)
+///   3. Windows of three sizes, large to small, in steps of half a window; none smaller than the
+///      smallest plane. In each, RANSAC among the readings that are left: sixteen triples at a time,
+///      their MSAC costs in the window, refits of the best with a threshold from wide to narrow, until
+///      the stop rule or max_draws. The readings of a window are near one another, so that a face of
+///      1000 pixels among 300 000, hopeless for triples from the whole frame, is found in a few draws.
+///   4. Grow: refit to the readings within the gate in boxes four times as large each, at last in the
+///      frame, until the plane ends inside its box; in the frame again while that doubles it. A
+///      reading counts if three of its eight neighbours do too. Refused are planes with less than
+///      min_pixels and those whose residuals fill the gate (rms > max_rms, in the window already or in
+///      a box): noise of a third of the gate leaves 0.33, the compromise between two surfaces, or a
+///      curved one, near 0.58. The others are candidates and their readings leave.
+///   5. Planes that were refused for their residuals grow again, with rough_rms in place of max_rms,
+///      among what is left: those refused first, at most two for each of max_candidates.
+///   6. Contest: each reading goes to the candidate that fits it and its neighbours best, and every
+///      candidate is refitted to what it has. Sorted by score.
 ///
 /// Papers: ransac_planes.hpp. Deterministic: the cells of row r are drawn from stream r, window i draws from
 /// stream 2^32 + i of the seed; all sums have a fixed order, the same for every table of kernels.

@@ -41,8 +41,7 @@ constexpr bool valid(const RansacSearchOptions& o) noexcept {
   return o.gate.valid() && o.cell >= 1 && o.cell <= 64 && o.min_pixels >= 1 && o.max_candidates >= 1 &&
          o.max_candidates <= 65535 && o.max_rms > 0 && o.max_rms <= 1 && o.rough_rms >= 0 &&
          o.rough_rms <= 1 && o.most_noise >= 1 && o.most_noise <= 100 && o.confidence > 0 &&
-         o.confidence < 1 && o.max_draws >= 1 && o.max_draws <= 65535 &&
-         o.kernels != nullptr;
+         o.confidence < 1 && o.max_draws >= 1 && o.max_draws <= 65535 && o.kernels != nullptr;
 }
 
 }  // namespace detail

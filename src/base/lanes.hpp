@@ -7,8 +7,9 @@
 
 #include "base/kernel_set.hpp"
 
-// For loops that keep sixteen partial sums: compilers take these apart into single floats. So many of them are
-// worked on at once as the set's registers hold; what one lane does no other sees, so all sets give the same bits.
+// For loops that keep sixteen partial sums: compilers take these apart into single floats. So many of them
+// are worked on at once as the set's registers hold; what one lane does no other sees, so all sets give the
+// same bits.
 #if defined(__AVX512F__)
 #define STRAIGHTEDGE_LANES 16
 #elif defined(__AVX2__)

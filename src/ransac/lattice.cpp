@@ -13,77 +13,86 @@ constexpr std::int32_t clamped(std::int32_t x, std::int32_t most) noexcept {
   return x < 0 ? 0 : (x > most ? most : x);
 }
 
-void clear(const Lattice& lattice) noexcept {
-  const detail::RansacSearchMemory& m = lattice.memory;
-  for (std::size_t i = 0; i < m.q.size(); ++i) {
-    m.u[i] = m.v[i] = 0;
-    m.q[i] = no_reading;
-    m.w[i] = 1;
-  }
-  for (std::size_t i = 0; i < m.hit.size(); ++i) m.hit[i] = m.core[i] = 0;
-}
-
-/// A part of the picture, and its readings.
-struct Square {
+/// The picture's pixels that may be drawn.
+struct Picture {
   ImageView<const float> inverse_depth;
   ImageView<const std::uint16_t> mask;
-  std::int32_t u0 = 0, v0 = 0, width = 0, height = 0;
 
-  bool masked(std::int32_t u, std::int32_t v) const noexcept {
-    return mask.data != nullptr && mask.at(u0 + u, v0 + v) != 0;
-  }
-  /// 0: none that takes part.
-  float reading(std::int32_t u, std::int32_t v) const noexcept {
-    // The mask is asked first: it is smaller.
-    if (masked(u, v)) return 0;
-    const float q = inverse_depth.at(u0 + u, v0 + v);
-    return q > 0 && q <= 1e6F ? q : 0;
-  }
+  bool masked() const noexcept { return mask.data != nullptr; }
 };
 
+/// A part of it.
+struct Pixels {
+  std::int32_t u0 = 0, v0 = 0, width = 0, height = 0;
+};
+
+constexpr bool is_depth(float q) noexcept {
+  return q > 0 && q <= 1e6F;
+}
+
 /// Masks leave out most of a picture.
-bool all_masked(const Square& s) noexcept {
-  if (s.mask.data == nullptr) return false;
+bool all_masked(const Picture& picture, const Pixels& p) noexcept {
   std::uint32_t free = 0;
-  for (std::int32_t v = 0; v < s.height; ++v) {
-    const std::uint16_t* row = s.mask.row(s.v0 + v) + s.u0;
+  for (std::int32_t v = 0; v < p.height; ++v) {
+    const std::uint16_t* row = picture.mask.row(p.v0 + v) + p.u0;
     std::uint16_t any = 0;
-    for (std::int32_t u = 0; u < s.width; ++u) any = static_cast<std::uint16_t>(any | (row[u] == 0 ? 1 : 0));
+    for (std::int32_t u = 0; u < p.width; ++u) any = static_cast<std::uint16_t>(any | (row[u] == 0 ? 1 : 0));
     free |= any;
   }
   return free == 0;
 }
 
-/// The first reading behind pixel (u, v), row by row and round again; u and v become its place. 0: none.
-float next_reading(const Square& s, std::int32_t& u, std::int32_t& v) noexcept {
-  for (std::int32_t tried = 1; tried < s.width * s.height; ++tried) {
-    if (++u == s.width) {
-      u = 0;
-      v = v + 1 == s.height ? 0 : v + 1;
-    }
-    const float q = s.reading(u, v);
-    if (q > 0) return q;
+/// Each cell's reading in one row of pixels.
+void take_row(const Lattice& lattice, const Picture& picture, std::int32_t column, std::int32_t end,
+              std::int32_t row, std::int32_t du, std::int32_t v) noexcept {
+  const detail::RansacSearchMemory& m = lattice.memory;
+  const float* depths = picture.inverse_depth.row(v);
+  const std::uint16_t* masks = picture.masked() ? picture.mask.row(v) : nullptr;
+  const std::int32_t last = picture.inverse_depth.width - 1;
+  for (std::size_t i = lattice.at(column, row); column < end; ++column, ++i) {
+    const std::int32_t u = column * lattice.cell + du < last ? column * lattice.cell + du : last;
+    const bool free = masks == nullptr || masks[u] == 0;
+    m.u[i] = static_cast<float>(u);
+    m.v[i] = static_cast<float>(v);
+    m.q[i] = free && is_depth(depths[u]) ? depths[u] : no_reading;
   }
-  return 0;
 }
 
-/// The readings of some cells beside one another, of each the first from pixel (du, dv) of its square on.
-void take_readings(const Lattice& lattice, Square s, std::int32_t column, std::int32_t end, std::int32_t row,
+/// The first reading of a cell's square, row by row from dv on and round again.
+void take_next(const Lattice& lattice, const Picture& picture, const Pixels& p, std::int32_t dv,
+               std::size_t cell) noexcept {
+  if (picture.masked() && all_masked(picture, p)) return;
+  for (std::int32_t tried = 0; tried < p.height; ++tried) {
+    const std::int32_t v = p.v0 + (dv + tried < p.height ? dv + tried : dv + tried - p.height);
+    const float* depths = picture.inverse_depth.row(v);
+    for (std::int32_t u = p.u0; u < p.u0 + p.width; ++u) {
+      if (!is_depth(depths[u]) || (picture.masked() && picture.mask.at(u, v) != 0)) continue;
+      lattice.memory.u[cell] = static_cast<float>(u);
+      lattice.memory.v[cell] = static_cast<float>(v);
+      lattice.memory.q[cell] = depths[u];
+      return;
+    }
+  }
+}
+
+/// The readings of some cells beside one another, from pixel (du, dv) of each square on.
+void take_readings(const Lattice& lattice, const Picture& picture, std::int32_t column, std::int32_t row,
                    std::int32_t du, std::int32_t dv) noexcept {
-  s.u0 = column * lattice.cell;
-  s.width = clamped(s.inverse_depth.width - s.u0, (end - column) * lattice.cell);
-  if (all_masked(s)) return;
+  const std::int32_t end = clamped(column + cell_lanes, lattice.columns);
+  Pixels p{column * lattice.cell, row * lattice.cell, 0, 0};
+  p.height = clamped(picture.inverse_depth.height - p.v0, lattice.cell);
+  p.width = clamped(picture.inverse_depth.width - p.u0, (end - column) * lattice.cell);
+  if (picture.masked() && all_masked(picture, p)) {
+    for (std::int32_t c = column; c < end; ++c) lattice.memory.q[lattice.at(c, row)] = no_reading;
+    return;
+  }
+  take_row(lattice, picture, column, end, row, du, p.v0 + dv);
   for (; column < end; ++column) {
-    s.u0 = column * lattice.cell;
-    s.width = clamped(s.inverse_depth.width - s.u0, lattice.cell);
-    std::int32_t u = du < s.width ? du : s.width - 1, v = dv;
-    float q = s.reading(u, v);
-    if (!(q > 0) && !all_masked(s)) q = next_reading(s, u, v);
-    if (!(q > 0)) continue;
     const std::size_t cell = lattice.at(column, row);
-    lattice.memory.u[cell] = static_cast<float>(s.u0 + u);
-    lattice.memory.v[cell] = static_cast<float>(s.v0 + v);
-    lattice.memory.q[cell] = q;
+    if (lattice.memory.q[cell] > 0) continue;
+    p.u0 = column * lattice.cell;
+    p.width = clamped(picture.inverse_depth.width - p.u0, lattice.cell);
+    take_next(lattice, picture, p, dv, cell);
   }
 }
 
@@ -93,8 +102,8 @@ std::uint32_t weigh_row(const Lattice& lattice, std::size_t first, const PlaneGa
   const double square = gate.fixed_m > 0 ? gate.fixed_m : gate.sigmas * gate.floor_m;
   const double least = gate.fixed_m > 0 ? 0 : gate.sigmas * gate.inverse_sigma;
   const std::int32_t count = (lattice.columns + cell_lanes - 1) / cell_lanes * cell_lanes;
-  lattice.kernels.weigh(&m.q[first], &m.w[first], count, static_cast<float>(least), static_cast<float>(square),
-                        no_reading);
+  lattice.kernels.weigh(&m.q[first], &m.w[first], count, static_cast<float>(least),
+                        static_cast<float>(square), no_reading);
   std::uint32_t readings = 0;
   for (std::size_t i = first; i < first + static_cast<std::size_t>(lattice.columns); ++i)
     readings += m.q[i] > 0 ? 1U : 0U;
@@ -118,25 +127,40 @@ CellBox widened(const Lattice& lattice, const CellBox& box, std::int32_t cells) 
           clamped(box.y1 + cells, lattice.rows)};
 }
 
+void clear_lattice(const Lattice& lattice) noexcept {
+  const detail::RansacSearchMemory& m = lattice.memory;
+  for (std::size_t i = 0; i < m.q.size(); ++i) {
+    m.u[i] = m.v[i] = 0;
+    m.q[i] = no_reading;
+    m.w[i] = 1;
+  }
+  for (std::size_t i = 0; i < m.hit.size(); ++i) m.hit[i] = m.core[i] = 0;
+}
+
 std::uint32_t draw_lattice(const Lattice& lattice, ImageView<const float> inverse_depth,
                            ImageView<const std::uint16_t> mask, const RansacSearchOptions& options) noexcept {
-  clear(lattice);
   std::uint32_t readings = 0;
   for (std::int32_t row = 0; row < lattice.rows; ++row) {
     Pcg32 random(options.seed, static_cast<std::uint64_t>(row));
-    const std::int32_t v0 = row * lattice.cell;
-    const std::int32_t height = clamped(inverse_depth.height - v0, lattice.cell);
+    const std::int32_t height = clamped(inverse_depth.height - row * lattice.cell, lattice.cell);
     for (std::int32_t column = 0; column < lattice.columns; column += cell_lanes) {
       // One draw for sixteen cells: so memory is read in rows.
       const auto du = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(lattice.cell)));
       const auto dv = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(height)));
-      const std::int32_t end = clamped(column + cell_lanes, lattice.columns);
-      take_readings(lattice, {inverse_depth, mask, 0, v0, 0, height}, column, end, row, du, dv);
+      take_readings(lattice, {inverse_depth, mask}, column, row, du, dv);
     }
     readings += weigh_row(lattice, lattice.at(0, row), options.gate);
   }
   std::memcpy(lattice.memory.free_q.data(), lattice.memory.q.data(), lattice.memory.q.size_bytes());
   return readings;
+}
+
+void widen_gates(const Lattice& lattice, double times) noexcept {
+  if (times == 1) return;
+  for (std::int32_t row = 0; row < lattice.rows; ++row) {
+    float* w = &lattice.memory.w[lattice.at(0, row)];
+    for (std::int32_t column = 0; column < lattice.columns; ++column) w[column] /= static_cast<float>(times);
+  }
 }
 
 }  // namespace straightedge::ransac

@@ -66,8 +66,14 @@ CellBox box_round(const Lattice& lattice, std::int32_t column, std::int32_t row,
 /// So many cells more on every side, as far as the picture goes.
 CellBox widened(const Lattice& lattice, const CellBox& box, std::int32_t cells) noexcept;
 
+/// Every cell empty. The border stays so: what follows writes the cells alone.
+void clear_lattice(const Lattice& lattice) noexcept;
+
 /// Draws one reading of every cell by chance. Cells without any stay empty. Returns how many are not.
 std::uint32_t draw_lattice(const Lattice& lattice, ImageView<const float> inverse_depth,
                            ImageView<const std::uint16_t> mask, const RansacSearchOptions& options) noexcept;
+
+/// The gate of every reading becomes so many times as wide.
+void widen_gates(const Lattice& lattice, double times) noexcept;
 
 }  // namespace straightedge::ransac

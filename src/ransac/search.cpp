@@ -22,11 +22,15 @@ constexpr std::uint64_t first_window_stream = std::uint64_t{1} << 32U;
 
 /// Boxes grow by this.
 constexpr std::int32_t growing = 4;
+/// A plane that became so many times as large in the frame is worth another round there: bent surfaces are
+/// larger for the plane of the whole than for that of a part.
+constexpr std::uint32_t much = 2;
 
 /// So many readings are enough for a round of growing.
 constexpr std::uint32_t enough_cells = 1000;
 
-/// Windows hold samples of what grows: their residuals may be so many times as large before growing is in vain.
+/// Windows hold samples of what grows: their residuals may be so many times as large before growing is in
+/// vain.
 constexpr double window_slack = 1.1;
 
 /// What memory.owner says of a cell during the search: a rough plane has it.
@@ -66,14 +70,18 @@ Growth grow_to(Search& s, const ransac::CellBox& box, std::uint32_t least, Inver
   return rms_gates <= s.max_rms ? Growth::grown : Growth::too_rough;
 }
 
-/// The plane waits for step 5. Windows round the marked cells need not be searched again with this shape: they
-/// would end the same way.
-void set_aside(Search& s, std::int32_t column, std::int32_t row, std::int32_t half, const InverseDepthPlane& plane,
-               const ransac::CellBox& box) noexcept {
+/// The plane waits for step 5. Windows round the marked cells need not be searched again with this shape:
+/// they would end the same way.
+void set_aside(Search& s, std::int32_t column, std::int32_t row, std::int32_t half,
+               const InverseDepthPlane& plane, const ransac::CellBox& box) noexcept {
   const detail::RansacSearchMemory& m = s.lattice.memory;
   if (s.rough_planes < m.rough.size()) {
     const SearchPlane p = ransac::in_floats(plane);
-    m.rough[s.rough_planes++] = {p.a, p.b, p.c, static_cast<std::int16_t>(column), static_cast<std::int16_t>(row),
+    m.rough[s.rough_planes++] = {p.a,
+                                 p.b,
+                                 p.c,
+                                 static_cast<std::int16_t>(column),
+                                 static_cast<std::int16_t>(row),
                                  static_cast<std::int16_t>(half)};
   }
   // Of the cells that are middles of windows.
@@ -100,12 +108,14 @@ bool grow(Search& s, std::int32_t column, std::int32_t row, std::int32_t half, I
   for (std::int32_t h = half;; h *= growing) {
     // Twice half of the picture's longer side is nearly all of it.
     const bool last = h > half && 2 * h >= longest;
-    const ransac::CellBox box = last ? ransac::whole(s.lattice) : ransac::box_round(s.lattice, column, row, h);
+    const ransac::CellBox box =
+        last ? ransac::whole(s.lattice) : ransac::box_round(s.lattice, column, row, h);
+    const std::uint32_t before = core.cells;
     const Growth growth = grow_to(s, box, last ? s.least_cells : s.least_cells / 2, fit, core);
     if (growth == Growth::too_rough && !s.rough) set_aside(s, column, row, half, fit.plane, core.bounds);
     if (growth != Growth::grown) return false;
-    if (last) return true;
-    if (h > half && inside(core.bounds, box, s.lattice)) return core.cells >= s.least_cells;
+    if (last && core.cells < much * before) return true;
+    if (!last && h > half && inside(core.bounds, box, s.lattice)) return core.cells >= s.least_cells;
   }
 }
 
@@ -145,7 +155,8 @@ void search_window(Search& s, std::int32_t column, std::int32_t row, const Windo
     ransac::Core core;
     if (found.rms > window_slack * s.max_rms) {
       const ransac::CellBox box = ransac::box_round(s.lattice, column, row, shape.half);
-      set_aside(s, column, row, shape.half, fit.plane, ransac::mark_core(s.lattice, s.lattice.memory.free_q, fit.plane, box).bounds);
+      set_aside(s, column, row, shape.half, fit.plane,
+                ransac::mark_core(s.lattice, s.lattice.memory.free_q, fit.plane, box).bounds);
       return;
     }
     if (!grow(s, column, row, shape.half, fit, core)) return;
@@ -208,6 +219,7 @@ Status RansacSearch::prepare(RansacSearch& search, Size size, const RansacSearch
   if (arena.failed()) return Status::workspace_too_small;
   search.size_ = size;
   search.options_ = options;
+  ransac::clear_lattice(Lattice(size, search.options_, search.memory_));
   search.prepared_ = true;
   return Status::ok;
 }
@@ -228,7 +240,7 @@ RansacSearchResult RansacSearch::run(ImageView<const float> inverse_depth,
   result.readings = ransac::draw_lattice(lattice, inverse_depth, mask, options_);
   // Step 2.
   result.noise = ransac::frame_noise(lattice, options_);
-  for (float& w : memory_.w) w /= static_cast<float>(result.noise);
+  ransac::widen_gates(lattice, result.noise);
   // Steps 3 to 5.
   Search search{
       options_, lattice, result, least_cells(options_), options_.max_rms, false, memory_.window.front()};

@@ -53,9 +53,8 @@ Core mark_core(const Lattice& lattice, std::span<const float> q, const InverseDe
   const std::size_t outer = lattice.at(x0, y0), inner = lattice.at(box.x0, box.y0);
   lattice.kernels.mark_hits(lattice.readings(q, outer), {x1 - x0, y1 - y0, lattice.stride}, in_floats(plane),
                             &m.hit[outer]);
-  const SearchMarks marks =
-      lattice.kernels.keep_dense(&m.hit[inner], shape_of(lattice, box), &m.core[inner], m.counts.data(),
-                                 m.columns.data());
+  const SearchMarks marks = lattice.kernels.keep_dense(&m.hit[inner], shape_of(lattice, box), &m.core[inner],
+                                                       m.counts.data(), m.columns.data());
   Core core;
   if (marks.cells == 0) return core;
   core.cells = marks.cells;
@@ -77,8 +76,8 @@ CoreSums sum_core(const Lattice& lattice, std::span<const float> q, const Invers
     const SearchBox rows{box.x1 - box.x0, left < rows_at_once ? left : rows_at_once,
                          static_cast<std::ptrdiff_t>(lattice.stride) * row_step};
     SearchSums part;
-    lattice.kernels.sum_marked(lattice.readings(q, first), &lattice.memory.core[first], rows, in_floats(plane),
-                               static_cast<float>(middle_u), static_cast<float>(middle_v),
+    lattice.kernels.sum_marked(lattice.readings(q, first), &lattice.memory.core[first], rows,
+                               in_floats(plane), static_cast<float>(middle_u), static_cast<float>(middle_v),
                                lattice.memory.row.data(), part);
     add(part, sums);
   }

@@ -35,7 +35,8 @@ std::uint32_t cheapest(const SearchPlanes& planes, std::uint32_t count) noexcept
 bool solve(const SearchSums& s, SearchPlane& plane) noexcept {
   const double n = static_cast<double>(s.n);
   if (!(n >= 3)) return false;
-  const double u = static_cast<double>(s.u) / n, v = static_cast<double>(s.v) / n, r = static_cast<double>(s.r) / n;
+  const double u = static_cast<double>(s.u) / n, v = static_cast<double>(s.v) / n,
+               r = static_cast<double>(s.r) / n;
   const double uu = static_cast<double>(s.uu) - n * u * u, uv = static_cast<double>(s.uv) - n * u * v;
   const double vv = static_cast<double>(s.vv) - n * v * v;
   const double ur = static_cast<double>(s.ur) - n * u * r, vr = static_cast<double>(s.vr) - n * v * r;
@@ -90,7 +91,8 @@ void append_row(const Lattice& lattice, std::size_t first, std::int32_t columns,
 
 }  // namespace
 
-std::uint32_t count_free(const Lattice& lattice, std::int32_t column, std::int32_t row, std::int32_t half) noexcept {
+std::uint32_t count_free(const Lattice& lattice, std::int32_t column, std::int32_t row,
+                         std::int32_t half) noexcept {
   const std::int32_t c0 = column > half ? column - half : 0, r0 = row > half ? row - half : 0;
   const std::int32_t c1 = column + half < lattice.columns ? column + half + 1 : lattice.columns;
   const std::int32_t r1 = row + half < lattice.rows ? row + half + 1 : lattice.rows;
@@ -139,8 +141,8 @@ WindowPlane best_of_window(const Lattice& lattice, const Window& window, const R
     Scored scored{{planes.a[l], planes.b[l], planes.c[l]}, {}, 0};
     optimise(lattice, window, scored);
     if (scored.cost < best.cost) best = scored;
-  } while (found.draws < most && miss_probability(triple_probability(best.inliers.count, n), found.draws) >
-                                     1 - options.confidence);
+  } while (found.draws < most &&
+           miss_probability(triple_probability(best.inliers.count, n), found.draws) > 1 - options.confidence);
   found.inliers = best.inliers.count;
   if (found.inliers == 0) return found;
   found.rms = square_root(static_cast<double>(best.inliers.squares) / found.inliers);

@@ -27,7 +27,8 @@ constexpr std::uint32_t padded(const Window& w) noexcept {
 
 /// Free readings of a window's cells and of some to the right of it: where there are few, it need not be
 /// gathered.
-std::uint32_t count_free(const Lattice& lattice, std::int32_t column, std::int32_t row, std::int32_t half) noexcept;
+std::uint32_t count_free(const Lattice& lattice, std::int32_t column, std::int32_t row,
+                         std::int32_t half) noexcept;
 
 void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, const WindowShape& shape,
             Window& window) noexcept;

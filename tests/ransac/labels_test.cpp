@@ -69,6 +69,7 @@ TEST_CASE("A plane that cuts through a wall keeps no stripe of it", "[ransac]") 
   Arena arena(bytes);
   const detail::RansacSearchMemory memory = detail::RansacSearchMemory::take(arena, scene::size, options);
   const ransac::Lattice lattice(scene::size, options, memory);
+  ransac::clear_lattice(lattice);
   REQUIRE(ransac::draw_lattice(lattice, c.frame.view(), {}, options) > 4000);
   const InverseDepthPlane box_plane = to_inverse_depth(c.box, scene::camera);
   const InverseDepthPlane wall_plane = to_inverse_depth(c.wall, scene::camera);

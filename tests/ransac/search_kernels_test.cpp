@@ -22,7 +22,8 @@ constexpr std::size_t margin = 2 * search_overrun;
 struct Cells {
   Cells(std::int32_t columns, std::int32_t rows, Pcg32& random)
       : stride((columns + 15) / 16 * 16 + 16), height(rows) {
-    const std::size_t count = static_cast<std::size_t>(stride) * static_cast<std::size_t>(rows + 2) + 2 * margin;
+    const std::size_t count =
+        static_cast<std::size_t>(stride) * static_cast<std::size_t>(rows + 2) + 2 * margin;
     for (std::vector<float>* array : {&u, &v, &q, &w}) array->assign(count, 0);
     q.assign(count, none);
     w.assign(count, 1);
@@ -38,7 +39,8 @@ struct Cells {
     w[i] = kind == 3 ? 1e12F : 1 / 0.004F;
   }
   std::size_t place(std::int32_t x, std::int32_t y) const {
-    return margin + static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(x);
+    return margin + static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(stride) +
+           static_cast<std::size_t>(x);
   }
   SearchReadings at(std::size_t i) const { return {&u[i], &v[i], &q[i], &w[i]}; }
 
@@ -70,18 +72,26 @@ struct Made {
   std::vector<float> cost, owner;
 };
 
-Made make(const PlaneSearchKernels& kernels, const Cells& cells, std::int32_t columns, const SearchPlane& plane) {
+Made make(const PlaneSearchKernels& kernels, const Cells& cells, std::int32_t columns,
+          const SearchPlane& plane) {
   const std::size_t all = cells.q.size(), first = cells.place(0, 0);
   const SearchBox box{columns, cells.height, cells.stride};
   std::vector<float> rows(5 * (static_cast<std::size_t>(columns) + 16 + search_overrun));
   std::vector<std::uint8_t> counts(rows.size());
-  Made m{std::vector<std::uint8_t>(all), std::vector<std::uint8_t>(all), {}, std::vector<std::uint8_t>(rows.size()),
-         0, {}, std::vector<float>(all, 5), std::vector<float>(all)};
+  Made m{std::vector<std::uint8_t>(all),
+         std::vector<std::uint8_t>(all),
+         {},
+         std::vector<std::uint8_t>(rows.size()),
+         0,
+         {},
+         std::vector<float>(all, 5),
+         std::vector<float>(all)};
   kernels.mark_hits(cells.at(first), box, plane, &m.hit[first]);
   m.marks = kernels.keep_dense(&m.hit[first], box, &m.core[first], counts.data(), m.columns.data());
   m.readings = kernels.count_readings(&cells.q[first], box);
   kernels.sum_marked(cells.at(first), &m.core[first], box, plane, 100, 50, rows.data(), m.sums);
-  kernels.take_cheaper(cells.at(first), &m.core[first], box, plane, 3, rows.data(), &m.cost[first], &m.owner[first]);
+  kernels.take_cheaper(cells.at(first), &m.core[first], box, plane, 3, rows.data(), &m.cost[first],
+                       &m.owner[first]);
   return m;
 }
 
@@ -91,7 +101,8 @@ TEST_CASE("every set of kernels marks, sums and compares cells as the plain one"
   for (const KernelSet& set : kernel_sets()) {
     for (std::int32_t columns = 1; columns <= 200; ++columns) {
       Pcg32 random(static_cast<std::uint64_t>(columns));
-      const Cells cells(columns, 1 + static_cast<std::int32_t>(random.below(columns % 50 == 0 ? 600 : 20)), random);
+      const Cells cells(columns, 1 + static_cast<std::int32_t>(random.below(columns % 50 == 0 ? 600 : 20)),
+                        random);
       const SearchPlane plane{0.001F, 0, columns % 7 == 0 ? 9.0F : 0.305F};
       CAPTURE(std::string(set.name), columns, cells.height);
       const Made expected = make(plain_plane_search_kernels, cells, columns, plane);
@@ -144,7 +155,8 @@ TEST_CASE("the plain kernels mark and sum cells as their definitions say", "[ran
         marked += core ? 1U : 0U;
         readings += cells.q[i] > 0 ? 1U : 0U;
         CHECK((made.owner[i] == 3) == (core && made.cost[i] < 5));
-        if (core) residuals += static_cast<double>(cells.q[i]) - 0.001 * static_cast<double>(cells.u[i]) - 0.305;
+        if (core)
+          residuals += static_cast<double>(cells.q[i]) - 0.001 * static_cast<double>(cells.u[i]) - 0.305;
       }
     }
     CHECK(made.marks.cells == marked);
@@ -190,7 +202,8 @@ TEST_CASE("every set of kernels scores windows as the plain one", "[ransac]") {
 
 TEST_CASE("every set of kernels weighs readings as the plain one", "[ransac]") {
   const float infinity = std::numeric_limits<float>::infinity();
-  const float odd[] = {0, -1, infinity, -infinity, std::numeric_limits<float>::quiet_NaN(), 1e6F, 1.1e6F, 1e-3F, 1e-30F};
+  const float odd[] = {0,    -1,     infinity, -infinity, std::numeric_limits<float>::quiet_NaN(),
+                       1e6F, 1.1e6F, 1e-3F,    1e-30F};
   for (const KernelSet& set : kernel_sets()) {
     Pcg32 random(5, 3);
     std::vector<float> q(208);

@@ -16,7 +16,8 @@ using hough::PatchScene;
 // Patches that know their normal badly spread their votes thin: a plane has at least this part of them in its
 // best cell.
 constexpr std::uint32_t thinnest = 16;
-// A patch with less than this part of the readings that a plane needs is small change, spread over many cells.
+// A patch with less than this part of the readings that a plane needs is small change, spread over many
+// cells.
 constexpr std::uint32_t smallest_voter = 64;
 
 /// What the steps of one run share.
@@ -111,9 +112,16 @@ Status grow_peaks(Search& search) noexcept {
   return Status::ok;
 }
 
+/// Have the free patches together as many readings as a candidate needs?
+bool enough_left(const Search& search) noexcept {
+  double readings = 0;
+  for (const HoughPatchMean& mean : search.pool.free) readings += search.pool.of(mean).moments->n;
+  return readings >= search.scene.options.min_pixels;
+}
+
 /// Step 6.
 Status search_rounds(Search& search) noexcept {
-  for (std::int32_t round = 0; round < search.scene.options.rounds; ++round) {
+  for (std::int32_t round = 0; round < search.scene.options.rounds && enough_left(search); ++round) {
     std::uint32_t voters = 0;
     if (const Status status = vote(search, voters); status != Status::ok) return status;
     search.votes += voters;

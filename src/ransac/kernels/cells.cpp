@@ -6,7 +6,7 @@
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
-constexpr int least_neighbours = 3;
+constexpr std::uint8_t least_neighbours = 3;
 
 // Loops over bytes take four times as many cells at once as lanes are, and are slow with what is left over.
 constexpr std::int32_t byte_step = lanes == 1 ? 1 : 4 * lanes;
@@ -20,19 +20,41 @@ void mark_row(const SearchReadings& row, std::int32_t count, const SearchPlane& 
   }
 }
 
-void keep_row(const std::uint8_t* above, const std::uint8_t* hit, const std::uint8_t* below, std::int32_t count,
-              std::uint8_t* __restrict core, std::uint8_t* __restrict counts) noexcept {
-  for (std::int32_t i = 0; i < count; ++i) {
-    const auto near = static_cast<std::uint8_t>(above[i - 1] + above[i] + above[i + 1] + hit[i - 1] + hit[i + 1] +
-                                                below[i - 1] + below[i] + below[i + 1]);
-    const auto kept = static_cast<std::uint8_t>((near >= least_neighbours ? 1 : 0) & hit[i]);
-    core[i] = kept;
-    counts[i] = static_cast<std::uint8_t>(counts[i] + kept);
+/// As many marks as a register holds.
+#if STRAIGHTEDGE_LANES > 1
+using Bytes [[gnu::vector_size(byte_step)]] = std::uint8_t;
+#else
+using Bytes = std::uint8_t;
+#endif
+
+Bytes load_bytes(const std::uint8_t* from) noexcept {
+  Bytes x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+
+/// A mark and those left and right of it.
+Bytes three(const std::uint8_t* marks) noexcept {
+  return static_cast<Bytes>(load_bytes(marks - 1) + load_bytes(marks) + load_bytes(marks + 1));
+}
+
+void keep_row(const std::uint8_t* hit, std::ptrdiff_t stride, std::int32_t count, std::uint8_t* core,
+              std::uint8_t* counts) noexcept {
+  const Bytes none{}, enough = static_cast<Bytes>(none + least_neighbours);
+  for (std::int32_t i = 0; i < count; i += byte_step) {
+    const Bytes own = load_bytes(hit + i);
+    const Bytes near =
+        static_cast<Bytes>(three(hit + i - stride) + three(hit + i) + three(hit + i + stride) - own);
+    const Bytes kept = near >= enough ? own : none;
+    const Bytes sum = static_cast<Bytes>(load_bytes(counts + i) + kept);
+    std::memcpy(core + i, &kept, sizeof kept);
+    std::memcpy(counts + i, &sum, sizeof sum);
   }
 }
 
 /// Adds the counts up, which begin anew.
-std::uint32_t collect(std::uint8_t* __restrict counts, std::int32_t count, std::uint8_t* __restrict columns) noexcept {
+std::uint32_t collect(std::uint8_t* __restrict counts, std::int32_t count,
+                      std::uint8_t* __restrict columns) noexcept {
   std::uint32_t sum = 0;
   for (std::int32_t i = 0; i < count; ++i) {
     sum += counts[i];
@@ -121,8 +143,8 @@ void mark_hits(const SearchReadings& readings, const SearchBox& box, const Searc
     mark_row(moved(readings, y * box.stride), width, p, hit + y * box.stride);
 }
 
-SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core, std::uint8_t* counts,
-                       std::uint8_t* columns) noexcept {
+SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core,
+                       std::uint8_t* counts, std::uint8_t* columns) noexcept {
   // A byte counts to 255.
   constexpr std::int32_t most_rows = 255;
   const std::int32_t width = rounded_up(box.width, byte_step);
@@ -132,7 +154,7 @@ SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8
     const std::int32_t end = box.height - y0 > most_rows ? y0 + most_rows : box.height;
     for (std::int32_t y = y0; y < end; ++y) {
       const std::uint8_t* row = hit + y * box.stride;
-      keep_row(row - box.stride, row, row + box.stride, width, core + y * box.stride, counts);
+      keep_row(row, box.stride, width, core + y * box.stride, counts);
     }
     for (std::int32_t i = box.width; i < width; ++i) counts[i] = 0;
     marks.cells += collect(counts, width, columns);

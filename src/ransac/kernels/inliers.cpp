@@ -7,7 +7,8 @@ namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 
 SearchInliers find_inliers(const SearchReadings& readings, std::uint32_t padded, const SearchPlane& plane,
                            float most) noexcept {
-  const Lanes a = all(plane.a), b = all(plane.b), c = all(plane.c), limit = all(most), none = all(0), one = all(1);
+  const Lanes a = all(plane.a), b = all(plane.b), c = all(plane.c), limit = all(most), none = all(0),
+              one = all(1);
   float squares[search_lanes], counts[search_lanes];
   for (std::int32_t l = 0; l < search_lanes; l += lanes) {
     Lanes sum = none, count = none;
@@ -28,7 +29,8 @@ void sum_inliers(const SearchReadings& readings, std::uint32_t padded, const Sea
                  SearchSums& sums) noexcept {
   PartialSums partial;
   for (std::int32_t l = 0; l < search_lanes; l += lanes) {
-    const Lanes a = all(plane.a), b = all(plane.b), c = all(plane.c), limit = all(most), none = all(0), one = all(1);
+    const Lanes a = all(plane.a), b = all(plane.b), c = all(plane.c), limit = all(most), none = all(0),
+                one = all(1);
     LaneSums s;
     for (std::uint32_t i = static_cast<std::uint32_t>(l); i < padded; i += search_lanes) {
       const Lanes x = load(readings.u + i), y = load(readings.v + i), w = load(readings.w + i);

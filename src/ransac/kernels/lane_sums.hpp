@@ -31,7 +31,8 @@ struct LaneSums {
   Lanes r = all(0), ur = all(0), vr = all(0), rr = all(0), ww = all(0);
 
   /// Readings whose mark is 1, not 0.
-  void add(const Lanes& mark, const Lanes& x, const Lanes& y, const Lanes& residual, const Lanes& w) noexcept {
+  void add(const Lanes& mark, const Lanes& x, const Lanes& y, const Lanes& residual,
+           const Lanes& w) noexcept {
     const Lanes mx = mark * x, my = mark * y, mr = mark * residual;
     n += mark;
     u += mx;

@@ -18,8 +18,8 @@ void weigh(float* q, float* w, std::int32_t padded, float least, float per_squar
 std::uint32_t count_readings(const float* q, const SearchBox& box) noexcept;
 void mark_hits(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane,
                std::uint8_t* hit) noexcept;
-SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core, std::uint8_t* counts,
-                       std::uint8_t* columns) noexcept;
+SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core,
+                       std::uint8_t* counts, std::uint8_t* columns) noexcept;
 void sum_marked(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
                 const SearchPlane& plane, float u0, float v0, float* marks, SearchSums& sums) noexcept;
 void take_cheaper(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,

@@ -30,8 +30,8 @@ float reference_of(const float* pixels, std::ptrdiff_t stride, float farthest) n
   return 0;
 }
 
-void sum_columns(const float* pixels, std::ptrdiff_t stride, float farthest, const float (&references)[columns],
-                 ColumnSums& sums) noexcept {
+void sum_columns(const float* pixels, std::ptrdiff_t stride, float farthest,
+                 const float (&references)[columns], ColumnSums& sums) noexcept {
   static constexpr float places[columns] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
   const Lanes none = all(0), most = all(farthest);
   for (std::int32_t l = 0; l < columns; l += lanes) {
