@@ -17,9 +17,8 @@
 #include "fixture_frames.hpp"
 #include "straightedge/host/plane_detector.hpp"
 #include "straightedge/host/plane_map_builder.hpp"
-#include "straightedge/inverse_depth.hpp"
-#include "straightedge/ransac_planes.hpp"
 #include "thread_time.hpp"
+#include "with_kernels.hpp"
 
 namespace {
 
@@ -54,14 +53,10 @@ double median_ms(const Frames& frames, int runs, const Job& job) {
 double first_plane_ms(const Frames& frames, int runs) {
   const Size size = frames.front().raw.size();
   const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-  std::vector<std::byte> memory(RansacPlanes::workspace_bytes(pixels, {}));
-  RansacPlanes ransac;
-  if (RansacPlanes::prepare(ransac, pixels, {}, memory) != Status::ok) fail("RANSAC cannot be prepared");
-  Image<float> inverse_depth(size);
-  std::vector<FoundPlane> plane(1);
+  bench::FirstPlane first(pixels, {}, best_kernels());
+  if (!first.prepared()) fail("RANSAC cannot be prepared");
   return median_ms(frames, runs, [&](std::size_t i) {
-    if (inverse_depth_image(frames[i].depth(), inverse_depth.view()) != Status::ok) fail("a broken frame");
-    if (ransac.run(inverse_depth.view(), frames[i].camera, plane, {}).found.planes != 1) fail("no plane");
+    if (first.run(frames[i].depth()).found.planes != 1) fail("no plane");
   });
 }
 
