@@ -50,11 +50,20 @@ class FarFilter {
   /// The least of the squares in these blocks, as floats have it.
   float least(const std::uint32_t* block, const std::uint32_t* end) const noexcept {
     constexpr float infinity = std::numeric_limits<float>::infinity();
+    constexpr std::size_t words = octree_block_points * octree_point_words;
+    // Two at a time, so that one comparison need not wait for the other.
     Floats4 least{infinity, infinity, infinity, infinity};
-    for (; block != end; block += octree_block_points * octree_point_words) {
+    Floats4 other = least;
+    for (; end - block >= static_cast<std::ptrdiff_t>(2 * words); block += 2 * words) {
+      const Floats4 here = squared(block), next = squared(block + words);
+      least = here < least ? here : least;
+      other = next < other ? next : other;
+    }
+    if (block != end) {
       const Floats4 here = squared(block);
       least = here < least ? here : least;
     }
+    least = other < least ? other : least;
     const float a = least[0] < least[1] ? least[0] : least[1];
     const float b = least[2] < least[3] ? least[2] : least[3];
     return a < b ? a : b;
