@@ -4,34 +4,25 @@
 #include <utility>
 
 #include "depth_scene.hpp"
-#include "speed_kernels.hpp"
 #include "speed_rows.hpp"
 #include "straightedge/host/plane_detector.hpp"
 #include "straightedge/host/plane_map_builder.hpp"
-#include "straightedge/inverse_depth.hpp"
-#include "straightedge/ransac_planes.hpp"
+#include "with_kernels.hpp"
 
 namespace bench::speed {
 namespace {
 
 using namespace straightedge;
 
-Call prepare_first_plane(Size size) {
+Call prepare_first_plane(Size size, const KernelSet& set) {
   struct Work {
     DepthFrame frame;
-    Image<float> inverse_depth;
-    std::vector<std::byte> memory;
-    RansacPlanes ransac;
-    std::vector<FoundPlane> plane = std::vector<FoundPlane>(1);
+    FirstPlane first;
   };
-  auto w = std::make_shared<Work>(Work{make_depth_frame(size), Image<float>(size), {}, {}});
-  const auto readings = static_cast<std::size_t>(pixels_of(size));
-  w->memory.resize(RansacPlanes::workspace_bytes(readings, {}));
-  need(RansacPlanes::prepare(w->ransac, readings, {}, w->memory) == Status::ok, "no RANSAC");
-  return [w] {
-    need(inverse_depth_image(w->frame.depth(), w->inverse_depth.view()) == Status::ok, "a broken frame");
-    need(w->ransac.run(w->inverse_depth.view(), w->frame.camera, w->plane, {}).found.planes == 1, "no plane");
-  };
+  auto w = std::make_shared<Work>(
+      Work{make_depth_frame(size), FirstPlane(static_cast<std::size_t>(pixels_of(size)), {}, set)});
+  need(w->first.prepared(), "no RANSAC");
+  return [w] { need(w->first.run(w->frame.depth()).found.planes == 1, "no plane"); };
 }
 
 struct Detection {
@@ -45,17 +36,21 @@ struct Detection {
   }
 };
 
-std::shared_ptr<Detection> detection(Size size, PlaneMethod method) {
+std::shared_ptr<Detection> detection(Size size, PlaneMethod method, const KernelSet& set) {
   PlaneDetectorOptions options;
   options.method = method;
-  auto made = PlaneDetector::create(size, options);
+  const auto create = [](auto&&... a) requires requires {
+    PlaneDetector::create(a...);
+  }
+  { return PlaneDetector::create(a...); };
+  auto made = call_with(set, create, size, options);
   need(static_cast<bool>(made), "no detector");
   return std::make_shared<Detection>(Detection{make_depth_frame(size), std::move(*made)});
 }
 
 Job planes_job(const char* name, Size size, PlaneMethod method) {
-  return {name, text_of(size), pixels_of(size), "pixel", [=](const KernelSet&) -> Call {
-            auto w = detection(size, method);
+  return {name, text_of(size), pixels_of(size), "pixel", [=](const KernelSet& set) -> Call {
+            auto w = detection(size, method, set);
             return [w] { w->detect(); };
           }};
 }
@@ -64,7 +59,7 @@ Job planes_job(const char* name, Size size, PlaneMethod method) {
 
 Job first_plane_job(Size size) {
   return {"first plane of a frame", text_of(size), pixels_of(size), "pixel",
-          [size](const KernelSet&) { return prepare_first_plane(size); }};
+          [size](const KernelSet& set) { return prepare_first_plane(size, set); }};
 }
 
 Job ransac_planes_job(Size size) {
@@ -76,15 +71,19 @@ Job hough_planes_job(Size size) {
 }
 
 Job register_job(Size size) {
-  return {"frame into plane map", text_of(size), pixels_of(size), "pixel", [size](const KernelSet&) -> Call {
-            auto w = detection(size, PlaneMethod::ransac);
-            auto found = std::make_shared<DetectedPlanes>(w->detect());
-            return [w, found] {
-              PlaneMapBuilder builder;
-              need(static_cast<bool>(builder.add(w->frame.depth(), found->labels, found->planes, {})),
-                   "no map");
-            };
-          }};
+  return {
+      "frame into plane map", text_of(size), pixels_of(size), "pixel", [size](const KernelSet& set) -> Call {
+        auto w = detection(size, PlaneMethod::ransac, set);
+        auto found = std::make_shared<DetectedPlanes>(w->detect());
+        return [w, found, set] {
+          const auto make = [](auto&&... a) requires requires {
+            PlaneMapBuilder(a...);
+          }
+          { return PlaneMapBuilder(a...); };
+          PlaneMapBuilder builder = call_with(set, make, PlaneMapOptions());
+          need(static_cast<bool>(builder.add(w->frame.depth(), found->labels, found->planes, {})), "no map");
+        };
+      }};
 }
 
 }  // namespace bench::speed

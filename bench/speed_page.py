@@ -17,6 +17,8 @@ import re
 import subprocess
 import sys
 
+# A processor without AVX2 or fused multiply-add has fewer rows here.
+OF_THE_MACHINE = {"floor", "fma"}
 COMPARED = ["edges", "lines", "first", "planes", "octree", "threads"]
 ROUNDS = "15"
 
@@ -108,14 +110,13 @@ def breaches(page, expected):
             yield f"{name}: the page has no rows"
     for name, table in expected.items():
         have, want = names(on_page(page, name) or ""), names(table)
-        # A processor without the instructions has no such rows.
-        if have == want or len(want) == 1:
-            continue
+        if name in OF_THE_MACHINE:
+            have = [row for row in have if row in want]
         for row in [row for row in want if row not in have]:
             yield f"{name}: the page lacks {' | '.join(row)}"
         for row in [row for row in have if row not in want]:
             yield f"{name}: the program does not have {' | '.join(row)}"
-        if sorted(have) == sorted(want):
+        if have != want and sorted(have) == sorted(want):
             yield f"{name}: the rows stand in another order"
 
 

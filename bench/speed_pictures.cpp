@@ -3,12 +3,12 @@
 #include <memory>
 
 #include "pictures.hpp"
-#include "speed_kernels.hpp"
 #include "speed_rows.hpp"
 #include "straightedge/canny_fused.hpp"
 #include "straightedge/host/canny.hpp"
 #include "straightedge/host/hough_lines.hpp"
 #include "straightedge/host/line_map_builder.hpp"
+#include "with_kernels.hpp"
 
 namespace bench::speed {
 namespace {
@@ -19,8 +19,9 @@ struct CannyWork {
   CannyWork(Size size, const KernelSet& set)
       : gray(make_picture({Picture::photo, size})),
         edges(size, 0),
-        memory(FusedCanny::workspace_bytes(size, {}, canny_rows_of(set))) {
-    need(FusedCanny::prepare(canny, size, {}, memory, canny_rows_of(set)) == Status::ok, "no Canny");
+        memory(FusedCanny::workspace_bytes(size, {}, with_kernels(CannyRowOptions(), set))) {
+    need(FusedCanny::prepare(canny, size, {}, memory, with_kernels(CannyRowOptions(), set)) == Status::ok,
+         "no Canny");
   }
 
   Image<std::uint8_t> gray, edges;
@@ -42,15 +43,21 @@ Job hough_job(Size size) {
       "progressive Hough", text_of(size), pixels_of(size), "pixel", [size](const KernelSet& set) -> Call {
         auto edges =
             std::make_shared<Image<std::uint8_t>>(canny(make_picture({Picture::photo, size}), {}, set).edges);
-        return [edges] { need(!hough_lines(edges->view(), {.threshold = 50}).segments.empty(), "no lines"); };
+        const HoughOptions options = with_kernels(HoughOptions{.threshold = 50}, set);
+        return [edges, options] { need(!hough_lines(edges->view(), options).segments.empty(), "no lines"); };
       }};
 }
 
 Job line_map_job(Size size) {
-  return {"picture to line map", text_of(size), pixels_of(size), "pixel", [size](const KernelSet&) -> Call {
+  return {"picture to line map", text_of(size), pixels_of(size), "pixel",
+          [size](const KernelSet& set) -> Call {
             auto gray = std::make_shared<Image<std::uint8_t>>(make_picture({Picture::floor_plan, size}));
-            return [gray] {
-              const auto made = build_line_map(gray->view());
+            const auto build = [](auto&&... a) requires requires {
+              build_line_map(a...);
+            }
+            { return build_line_map(a...); };
+            return [gray, set, build] {
+              const auto made = call_with(set, build, gray->view(), LineMapOptions());
               need(made && !made->map.lines.empty(), "no line map");
             };
           }};

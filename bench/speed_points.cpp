@@ -4,11 +4,10 @@
 #include <memory>
 
 #include "depth_scene.hpp"
-#include "speed_kernels.hpp"
 #include "speed_rows.hpp"
 #include "straightedge/octree.hpp"
 #include "straightedge/random.hpp"
-#include "straightedge/ransac_planes.hpp"
+#include "with_kernels.hpp"
 
 namespace bench::speed {
 namespace {
@@ -71,18 +70,15 @@ std::string text_of_power(int power) {
   return "10^" + std::to_string(power) + " points";
 }
 
-Call prepare_cloud_plane(std::size_t count) {
+Call prepare_cloud_plane(std::size_t count, const KernelSet& set) {
   struct Work {
     Cloud cloud;
-    std::vector<std::byte> memory;
-    RansacPlanes ransac;
-    std::vector<FoundPlane> plane = std::vector<FoundPlane>(1);
+    FirstPlane first;
   };
-  auto w = std::make_shared<Work>(Work{make_cloud(count), {}, {}});
-  const RansacOptions options{.gate = {.fixed_m = 0.02}};
-  w->memory.resize(RansacPlanes::workspace_bytes(count, options));
-  need(RansacPlanes::prepare(w->ransac, count, options, w->memory) == Status::ok, "no RANSAC");
-  return [w] { need(w->ransac.run(w->cloud.view(), w->plane, {}).found.planes == 1, "no plane"); };
+  auto w =
+      std::make_shared<Work>(Work{make_cloud(count), FirstPlane(count, {.gate = {.fixed_m = 0.02}}, set)});
+  need(w->first.prepared(), "no RANSAC");
+  return [w] { need(w->first.run(w->cloud.view()).found.planes == 1, "no plane"); };
 }
 
 Call prepare_nearest(std::size_t count) {
@@ -105,7 +101,7 @@ Call prepare_nearest(std::size_t count) {
 
 Job cloud_plane_job(int power) {
   return {"first plane of a cloud", text_of_power(power), static_cast<double>(count_of(power)), "point",
-          [power](const KernelSet&) { return prepare_cloud_plane(count_of(power)); }};
+          [power](const KernelSet& set) { return prepare_cloud_plane(count_of(power), set); }};
 }
 
 Job octree_job(int power) {

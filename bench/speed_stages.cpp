@@ -15,6 +15,7 @@
 #include "straightedge/ransac_search.hpp"
 #include "straightedge/sobel.hpp"
 #include "straightedge/suppress.hpp"
+#include "with_kernels.hpp"
 
 namespace bench::speed {
 namespace {
@@ -101,19 +102,20 @@ Job inverse_depth_job() {
           }};
 }
 
-template <class Search>
+template <class Search, class Options>
 struct SearchWork {
+  Options options = with_kernels(Options(), best_kernels());
   DepthScene scene = make_depth_scene(size);
-  std::vector<std::byte> memory = std::vector<std::byte>(Search::workspace_bytes(size, {}));
+  std::vector<std::byte> memory = std::vector<std::byte>(Search::workspace_bytes(size, options));
   std::vector<ProposedPlane> candidates = std::vector<ProposedPlane>(64);
   Search search;
 
-  SearchWork() { need(Search::prepare(search, size, {}, memory) == Status::ok, "no search"); }
+  SearchWork() { need(Search::prepare(search, size, options, memory) == Status::ok, "no search"); }
 };
 
 Job ransac_search_job() {
   return {"search for planes", text_of(size), pixels_of(size), "pixel", [](const KernelSet&) -> Call {
-            auto w = std::make_shared<SearchWork<RansacSearch>>();
+            auto w = std::make_shared<SearchWork<RansacSearch, RansacSearchOptions>>();
             return [w] {
               need(w->search.run(w->scene.inverse_depth.view(), {}, w->candidates).status == Status::ok,
                    "no search");
@@ -123,7 +125,7 @@ Job ransac_search_job() {
 
 Job hough_search_job() {
   return {"search for planes", text_of(size), pixels_of(size), "pixel", [](const KernelSet&) -> Call {
-            auto w = std::make_shared<SearchWork<HoughPatchSearch>>();
+            auto w = std::make_shared<SearchWork<HoughPatchSearch, HoughPatchOptions>>();
             return [w] {
               need(w->search.run(w->scene.inverse_depth.view(), w->scene.camera, {}, w->candidates).status ==
                        Status::ok,

@@ -15,11 +15,10 @@
 #include <vector>
 
 #include "fixture_frames.hpp"
-#include "straightedge/host/kernels.hpp"
 #include "straightedge/host/plane_detector.hpp"
 #include "straightedge/host/plane_map_builder.hpp"
-#include "straightedge/ransac_planes.hpp"
 #include "thread_time.hpp"
+#include "with_kernels.hpp"
 
 namespace {
 
@@ -54,15 +53,10 @@ double median_ms(const Frames& frames, int runs, const Job& job) {
 double first_plane_ms(const Frames& frames, int runs) {
   const Size size = frames.front().raw.size();
   const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-  const auto kernels = kernels_from_environment();
-  if (!kernels) fail(kernels.failure().sentence);
-  const RansacOptions options{.kernels = kernels->ransac};
-  std::vector<std::byte> memory(RansacPlanes::workspace_bytes(pixels, options));
-  RansacPlanes ransac;
-  if (RansacPlanes::prepare(ransac, pixels, options, memory) != Status::ok) fail("RANSAC cannot be prepared");
-  std::vector<FoundPlane> plane(1);
+  bench::FirstPlane first(pixels, {}, best_kernels());
+  if (!first.prepared()) fail("RANSAC cannot be prepared");
   return median_ms(frames, runs, [&](std::size_t i) {
-    if (ransac.run(frames[i].depth(), plane, {}).found.planes != 1) fail("no plane");
+    if (first.run(frames[i].depth()).found.planes != 1) fail("no plane");
   });
 }
 
@@ -175,7 +169,7 @@ std::vector<Target> targets(int runs) {
 
 void print_row(const Target& target, double room, double office) {
   const double slower = std::max(room, office);
-  std::printf("| %s | %.3g | %.3g | %g %s | %s | ", target.what, room, office, target.bar, target.unit,
+  std::printf("| %s | %.2f | %.2f | %g %s | %s | ", target.what, room, office, target.bar, target.unit,
               slower <= target.bar ? "met" : "missed");
   if (target.thesis > 0) {
     std::printf("%.0f ms | %.0f |\n", target.thesis, slower > 0 ? target.thesis / slower : 0);

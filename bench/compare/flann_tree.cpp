@@ -41,7 +41,8 @@ PointIndex flann_tree(const Points& cloud) {
               (*tree)->knnSearch(flann::Matrix<float>(at, 1, 3), found, far, 1, exact);
               squared[i] = static_cast<double>(distance);
             }
-          }};
+          },
+          nullptr};
 }
 
 }  // namespace compare

@@ -19,7 +19,7 @@ PointIndex octomap_tree(const Points& cloud, double leaf_m) {
             for (std::size_t i = 0; i < cloud.size(); ++i)
               (*tree)->updateNode(octomap::point3d(cloud.x[i], cloud.y[i], cloud.z[i]), occupied, lazy);
           },
-          nullptr};
+          nullptr, [tree] { return (*tree)->getNumLeafNodes(); }};
 }
 
 }  // namespace compare

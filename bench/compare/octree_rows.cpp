@@ -41,6 +41,7 @@ class OurOctree {
       squared[i] = found.squared_distance;
     }
   }
+  std::size_t leaves() const { return octree_.nodes().leaves(); }
   double bytes_a_point() const {
     return static_cast<double>(memory_.size()) / static_cast<double>(cloud_.size());
   }
@@ -89,10 +90,15 @@ bool exact(const Points& cloud, const Points& positions, const std::vector<doubl
 }
 
 void print_rows_of(const Scene& scene, const PointIndex& peer, OurOctree& octree, int rounds) {
-  char bytes[40];
-  std::snprintf(bytes, sizeof(bytes), "ours %.1f bytes a point", octree.bytes_a_point());
+  const auto agree = [&] { return !peer.leaves || peer.leaves() == octree.leaves(); };
+  const auto answers = [&] {
+    char text[60];
+    std::snprintf(text, sizeof(text), "%s%.1f bytes a point", peer.leaves ? "equal leaves; ours " : "ours ",
+                  octree.bytes_a_point());
+    return std::string(text);
+  };
   print_row({"octree, build, 5 cm", std::to_string(scene.cloud.size()) + " points, " + scene.name, "plain",
-             [&] { octree.build(); }, peer.build, [] { return true; }, peer.name, [&] { return bytes; }},
+             [&] { octree.build(); }, peer.build, agree, peer.name, answers},
             rounds);
   if (!peer.nearest) return;
   const Points positions = moved_points(scene.cloud);

@@ -29,7 +29,8 @@ PointIndex pcl_octree(const Points& cloud, double leaf_m) {
               (*tree)->nearestKSearch(at, 1, indices, distances);
               squared[i] = static_cast<double>(distances[0]);
             }
-          }};
+          },
+          nullptr};
 }
 
 }  // namespace compare

@@ -39,6 +39,8 @@ struct PointIndex {
   std::function<void()> build;
   /// Squared distances in metres; null when it has no such question.
   std::function<void(const Points&, std::vector<double>&)> nearest;
+  /// How many leaves it has after `build`; null when its cells are others than ours.
+  std::function<std::size_t()> leaves;
 };
 /// Leaves of `leaf_m` metres, where there are leaves.
 std::vector<PointIndex> point_indices(const Points& cloud, double leaf_m);

@@ -10,9 +10,8 @@
 #include "rows.hpp"
 #include "straightedge/host/kernels.hpp"
 #include "straightedge/host/plane_detector.hpp"
-#include "straightedge/inverse_depth.hpp"
-#include "straightedge/ransac_planes.hpp"
 #include "straightedge/trigonometry.hpp"
+#include "with_kernels.hpp"
 
 namespace compare {
 namespace {
@@ -71,30 +70,14 @@ Planes planes_of(const std::vector<FoundPlane>& found, std::size_t count) {
 
 /// RANSAC to the first plane, of the frame as the camera gives it or of the cloud.
 FindPlanes our_first_plane(const Scene& scene, bool from_cloud) {
-  struct Work {
-    std::vector<std::byte> memory;
-    RansacPlanes ransac;
-    Image<float> inverse_depth;
-    std::vector<FoundPlane> plane = std::vector<FoundPlane>(1);
-  };
-  auto work = std::make_shared<Work>();
   // A cloud says nothing about its sensor; of a frame's readings it is known how noisy they are.
   const RansacOptions options{.gate = {.fixed_m = from_cloud ? gate_m : 0}};
-  work->memory.resize(RansacPlanes::workspace_bytes(scene.picture.size(), options));
-  if (RansacPlanes::prepare(work->ransac, scene.picture.size(), options, work->memory) != Status::ok)
-    fail("RANSAC cannot be prepared");
-  work->inverse_depth = Image<float>(scene.frame.raw.size());
-  return [work, &scene, from_cloud] {
-    Work& w = *work;
-    RansacPlanesResult result;
-    if (from_cloud) {
-      result = w.ransac.run(scene.cloud.view(), w.plane, {});
-    } else {
-      if (inverse_depth_image(scene.frame.depth(), w.inverse_depth.view()) != Status::ok)
-        fail("a broken frame");
-      result = w.ransac.run(w.inverse_depth.view(), scene.frame.camera, w.plane, {});
-    }
-    return planes_of(w.plane, result.found.planes);
+  auto first = std::make_shared<bench::FirstPlane>(scene.picture.size(), options, best_kernels());
+  if (!first->prepared()) fail("RANSAC cannot be prepared");
+  return [first, &scene, from_cloud] {
+    const RansacPlanesResult result =
+        from_cloud ? first->run(scene.cloud.view()) : first->run(scene.frame.depth());
+    return result.found.planes == 1 ? Planes{first->plane()} : Planes();
   };
 }
 

@@ -50,11 +50,20 @@ class FarFilter {
   /// The least of the squares in these blocks, as floats have it.
   float least(const std::uint32_t* block, const std::uint32_t* end) const noexcept {
     constexpr float infinity = std::numeric_limits<float>::infinity();
+    constexpr std::size_t words = octree_block_points * octree_point_words;
+    // Two at a time, so that one comparison need not wait for the other.
     Floats4 least{infinity, infinity, infinity, infinity};
-    for (; block != end; block += octree_block_points * octree_point_words) {
+    Floats4 other = least;
+    for (; end - block >= static_cast<std::ptrdiff_t>(2 * words); block += 2 * words) {
+      const Floats4 here = squared(block), next = squared(block + words);
+      least = here < least ? here : least;
+      other = next < other ? next : other;
+    }
+    if (block != end) {
       const Floats4 here = squared(block);
       least = here < least ? here : least;
     }
+    least = other < least ? other : least;
     const float a = least[0] < least[1] ? least[0] : least[1];
     const float b = least[2] < least[3] ? least[2] : least[3];
     return a < b ? a : b;
@@ -114,21 +123,28 @@ inline void find_nearest(std::span<const std::uint32_t> words, std::uint32_t fir
   constexpr auto in_block = static_cast<std::uint32_t>(octree_block_points);
   const std::uint32_t begin = first - first % in_block;
   const std::uint32_t* const blocks = words.data();
-  const float least = filter.least(blocks + octree_point_words * begin,
-                                   blocks + octree_point_words * octree_full_blocks(end));
-  if (filter.far(least)) return;
-  const double reach = filter.not_farther_than(least);
-  filter.set_limit(reach < best.squared_distance ? reach : best.squared_distance);
+  // Of few points each is looked at as soon as it is met.
+  constexpr std::uint32_t few = 16;
+  if (end - first > few) {
+    const float least = filter.least(blocks + octree_point_words * begin,
+                                     blocks + octree_point_words * octree_full_blocks(end));
+    if (filter.far(least)) return;
+    const double reach = filter.not_farther_than(least);
+    filter.set_limit(reach < best.squared_distance ? reach : best.squared_distance);
+  }
+  bool nearer = false;
   for (std::uint32_t block = begin; block < end; block += in_block) {
     if (filter.all_far(blocks + octree_point_words * block)) continue;
     const std::uint32_t last = block + in_block < end ? block + in_block : end;
     for (std::uint32_t place = block < first ? first : block; place < last; ++place) {
       const OctreePoint p = OctreePoint::read(words, place);
       const OctreeNeighbour neighbour{p.index, squared_length(p.position() - from)};
-      if (neighbour.before(best)) best = neighbour;
+      if (!neighbour.before(best)) continue;
+      best = neighbour;
+      nearer = true;
     }
   }
-  filter.set_limit(best.squared_distance);
+  if (nearer || end - first > few) filter.set_limit(best.squared_distance);
 }
 
 }  // namespace straightedge::octree

@@ -20,22 +20,27 @@ struct Waiting {
   /// of all three axes first, the opposite one last. No sorting: what it would save costs more.
   void push_children(const OctreeNodes& nodes, std::uint32_t parent, const octree::NodeDistance& distance,
                      double limit) noexcept {
-    std::uint32_t child_in[8] = {};
-    std::uint32_t present = 0;
-    const auto above_octant = static_cast<unsigned>(3 * (nodes[parent].level() - 1));
-    for (std::uint32_t child = parent + 1; child < nodes[parent].next; child = nodes[child].next) {
-      const std::uint64_t octant = nodes[child].code() >> above_octant & 7U;
-      child_in[octant] = child;
-      present |= 1U << octant;
-    }
     const octree::NodeDistance::Octants octants = distance.octants(nodes[parent]);
     const std::uint32_t near = octants.nearest();
-    constexpr std::uint32_t far_to_near[] = {7, 6, 5, 3, 4, 2, 1, 0};
-    for (const std::uint32_t flipped : far_to_near) {
-      const std::uint32_t octant = near ^ flipped;
-      const double squared = octants.squared(octant);
-      entries[size] = {squared, child_in[octant]};
-      size += (present >> octant & 1U) != 0 && squared <= limit ? 1U : 0U;
+    const auto above_octant = static_cast<unsigned>(3 * (nodes[parent].level() - 1));
+    constexpr std::uint8_t rank[] = {7, 6, 5, 3, 4, 2, 1, 0};
+    constexpr std::uint8_t flipped_at[] = {7, 6, 5, 3, 4, 2, 1, 0};
+    std::uint32_t child_at[8];
+    std::uint32_t present = 0;
+    for (std::uint32_t child = parent + 1; child < nodes[parent].next; child = nodes[child].next) {
+      const std::uint64_t key = nodes[child].key;
+      const bool one_below = key >> 3U == nodes[parent].key;
+      const auto octant =
+          static_cast<std::uint32_t>(one_below ? key : nodes[child].code() >> above_octant) & 7U;
+      const std::uint32_t at = rank[octant ^ near];
+      child_at[at] = child;
+      present |= 1U << at;
+    }
+    for (; present != 0; present &= present - 1) {
+      const auto at = static_cast<std::uint32_t>(std::countr_zero(present));
+      const double squared = octants.squared(near ^ flipped_at[at]);
+      entries[size] = {squared, child_at[at]};
+      size += squared <= limit ? 1U : 0U;
     }
   }
 };

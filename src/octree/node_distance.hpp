@@ -14,35 +14,28 @@ constexpr bool is_position(const Vector3& p) noexcept {
   return p.x >= -most && p.x <= most && p.y >= -most && p.y <= most && p.z >= -most && p.z <= most;
 }
 
-// Two numbers that are treated alike, without a branch.
-using Doubles2 = double __attribute__((vector_size(16)));
-
 /// How near to a position a point of a node can be.
 ///
 /// Boxes are compared in the cells' frame, where their borders are integers. A position in the cube or within
-/// its size of it has an error of less than 2^-28 of a leaf there, so every side is moved out by that much.
-/// What is farther away is less exact, but its distance is large, and all squares are taken 2^-40 smaller. So
-/// the result is never above the computed distance of a point in the node.
+/// its size of it has an error of less than 2^-28 of a leaf there, and a gap one of less than 2^-29 more; so
+/// every side is moved out by 2^-27. What is farther away is less exact, but its distance is large, and all
+/// squares are taken 2^-40 smaller. So the result is never above the computed distance of a point in the
+/// node.
 class NodeDistance {
  public:
   NodeDistance(const OctreeGrid& grid, const Vector3& position) noexcept
-      : scale_(grid.leaf_m * grid.leaf_m * (1 - 0x1p-40)) {
-    const Vector3 at = grid.in_cells(position);
-    x_ = widened(at.x);
-    y_ = widened(at.y);
-    z_ = widened(at.z);
-  }
+      : at_(grid.in_cells(position)), scale_(grid.leaf_m * grid.leaf_m * (1 - 0x1p-40)) {}
 
   double squared(const OctreeNode& node) const noexcept {
     const MortonCell cell = morton_decode(node.code());
     const double side = static_cast<double>(std::uint32_t{1} << static_cast<unsigned>(node.level()));
-    const Vector3 gap{x_.gap(cell.x, side), y_.gap(cell.y, side), z_.gap(cell.z, side)};
-    return squared_length(gap) * scale_;
+    const Vector3 gaps{gap(at_.x, cell.x, side), gap(at_.y, cell.y, side), gap(at_.z, cell.z, side)};
+    return squared_length(gaps) * scale_;
   }
 
   /// The same for all octants of a node: each takes one of two halves along each axis.
   struct Octants {
-    Doubles2 x, y, z;
+    double x[2], y[2], z[2];
 
     double squared(std::uint64_t octant) const noexcept {
       return x[octant & 1U] + y[octant >> 1U & 1U] + z[octant >> 2U & 1U];
@@ -54,37 +47,26 @@ class NodeDistance {
   Octants octants(const OctreeNode& inner) const noexcept {
     const MortonCell cell = morton_decode(inner.code());
     const std::uint32_t half = std::uint32_t{1} << static_cast<unsigned>(inner.level() - 1);
-    return {x_.halves(cell.x, half) * scale_, y_.halves(cell.y, half) * scale_,
-            z_.halves(cell.z, half) * scale_};
+    const double side = static_cast<double>(static_cast<std::int32_t>(half));
+    const auto scaled = [this, side](double at, std::uint32_t begin) {
+      const double g = gap(at, begin, side);
+      return g * g * scale_;
+    };
+    return {{scaled(at_.x, cell.x), scaled(at_.x, cell.x + half)},
+            {scaled(at_.y, cell.y), scaled(at_.y, cell.y + half)},
+            {scaled(at_.z, cell.z), scaled(at_.z, cell.z + half)}};
   }
 
  private:
-  struct Range {
-    double low = 0, high = 0;
+  /// From a coordinate to the cells from `begin` on, so many as `side`.
+  static double gap(double at, std::uint32_t begin, double side) noexcept {
+    // Signed: every processor has this conversion.
+    const double middle = static_cast<double>(static_cast<std::int32_t>(begin)) + 0.5 * side;
+    const double beyond = __builtin_fabs(at - middle) - (0.5 * side + 0x1p-27);
+    return 0.5 * (beyond + __builtin_fabs(beyond));  // 0 when negative, without a branch
+  }
 
-    double gap(std::uint32_t cell, double side) const noexcept {
-      // Signed: every processor has this conversion.
-      const auto begin = static_cast<double>(static_cast<std::int32_t>(cell));
-      const double below = begin - high;
-      const double above = low - (begin + side);
-      // One of them is 0; the sum needs no branch.
-      return (below > 0 ? below : 0) + (above > 0 ? above : 0);
-    }
-    /// Squared gaps to the ranges of `half` cells from `cell` on and behind these.
-    Doubles2 halves(std::uint32_t cell, std::uint32_t half) const noexcept {
-      const auto begin = static_cast<double>(static_cast<std::int32_t>(cell));
-      const auto side = static_cast<double>(static_cast<std::int32_t>(half));
-      const Doubles2 begins{begin, begin + side};
-      const Doubles2 below = begins - high;
-      const Doubles2 above = low - (begins + side);
-      const Doubles2 none{0, 0};
-      const Doubles2 gaps = (below > none ? below : none) + (above > none ? above : none);
-      return gaps * gaps;
-    }
-  };
-  static Range widened(double at) noexcept { return {at - 0x1p-28, at + 0x1p-28}; }
-
-  Range x_, y_, z_;
+  Vector3 at_;
   double scale_;
 };
 

@@ -50,7 +50,9 @@ class SpeedPage(unittest.TestCase):
 
     def test_a_processor_without_the_instructions(self):
         head = "\n".join(TABLE.splitlines()[:2])
-        self.assertEqual(list(speed_page.breaches(whole_page(TABLE), {"jobs": head})), [])
+        with_fma = whole_page(TABLE) + page({"fma": TABLE})
+        self.assertEqual(list(speed_page.breaches(with_fma, {"fma": head})), [])
+        self.assertEqual(len(list(speed_page.breaches(with_fma, {"jobs": head}))), 2)
 
     def test_tables_are_split_by_name(self):
         found = speed_page.split_tables(f"table one\n{TABLE}\ntable two\nwords\n{TABLE}\n")

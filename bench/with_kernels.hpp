@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "straightedge/depth_view.hpp"
+#include "straightedge/found_planes.hpp"
+#include "straightedge/host/image.hpp"
+#include "straightedge/host/kernels.hpp"
+#include "straightedge/inverse_depth.hpp"
+#include "straightedge/ransac_planes.hpp"
+
+/// The library's calls with the kernels of a set. What a call has no kernels for, it does without.
+namespace bench {
+
+/// Options with those kernels of the set that are theirs: found by type.
+template <class Options, class Set>
+Options with_kernels(Options options, const Set& set) {
+  if constexpr (requires { options.kernels = set.canny_rows; }) options.kernels = set.canny_rows;
+  if constexpr (requires { options.kernels = set.hough; }) options.kernels = set.hough;
+  if constexpr (requires { options.kernels = set.ransac; }) options.kernels = set.ransac;
+  if constexpr (requires { options.kernels = set.depth; }) options.kernels = set.depth;
+  if constexpr (requires { options.kernels = set.plane_search; }) options.kernels = set.plane_search;
+  if constexpr (requires { options.kernels = set.hough_patches; }) options.kernels = set.hough_patches;
+  return options;
+}
+
+/// make(arguments..., set), or make(arguments...).
+template <class Set, class Make, class... Arguments>
+auto call_with(const Set& set, Make make, Arguments&&... arguments) {
+  if constexpr (requires { make(std::forward<Arguments>(arguments)..., set); }) {
+    return make(std::forward<Arguments>(arguments)..., set);
+  } else {
+    return make(std::forward<Arguments>(arguments)...);
+  }
+}
+
+/// RANSAC to the first plane, from a frame as the camera gives it or from a cloud.
+class FirstPlane {
+ public:
+  FirstPlane(std::size_t readings, const straightedge::RansacOptions& options,
+             const straightedge::KernelSet& set)
+      : memory_(straightedge::RansacPlanes::workspace_bytes(readings, with_kernels(options, set))) {
+    prepared_ = straightedge::RansacPlanes::prepare(ransac_, readings, with_kernels(options, set), memory_);
+  }
+
+  straightedge::RansacPlanesResult run(const straightedge::DepthView& depth) {
+    return run_frame(ransac_, depth);
+  }
+  straightedge::RansacPlanesResult run(const straightedge::PointsView& cloud) {
+    return ransac_.run(cloud, plane_, {});
+  }
+  /// Of the last run that found one.
+  const straightedge::Plane& plane() const { return plane_[0].fit.plane; }
+  bool prepared() const { return prepared_ == straightedge::Status::ok; }
+
+ private:
+  template <class Ransac>
+  straightedge::RansacPlanesResult run_frame(Ransac& ransac, const straightedge::DepthView& depth) {
+    if constexpr (requires { ransac.run(depth, plane_, {}); }) {
+      return ransac.run(depth, plane_, {});
+    } else {
+      if (inverse_depth_.size() != depth.raw.size())
+        inverse_depth_ = straightedge::Image<float>(depth.raw.size());
+      const auto status = straightedge::inverse_depth_image(depth, inverse_depth_.view());
+      if (status != straightedge::Status::ok) return {status, {}};
+      return ransac.run(inverse_depth_.view(), depth.camera, plane_, {});
+    }
+  }
+
+  std::vector<std::byte> memory_;
+  straightedge::RansacPlanes ransac_;
+  straightedge::Status prepared_;
+  straightedge::Image<float> inverse_depth_;
+  std::vector<straightedge::FoundPlane> plane_ = std::vector<straightedge::FoundPlane>(1);
+};
+
+}  // namespace bench
