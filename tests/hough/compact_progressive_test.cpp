@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "../support/golden_hough.hpp"
 #include "plain_progressive.hpp"
 #include "straightedge/detail/x86_instructions.hpp"
@@ -138,6 +140,29 @@ TEST_CASE("the same with a gradient window") {
     HoughOptions options = short_lines(seed % 2 == 0 ? HoughGenerator::opencv : HoughGenerator::pcg32);
     options.gradient_window = 0.3;
     options.theta_step = 0.02;
+    require_equal(image, options, gradient.view());
+  }
+}
+
+TEST_CASE("the same with gradients of all directions and windows of all widths") {
+  const double theta_steps[] = {degree, 0.02, 0.013, 0.5, 2.0};
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    INFO("seed " << seed);
+    Pcg32 random(seed, 9);
+    const Size size{1 + static_cast<int>(random.below(300)), 1 + static_cast<int>(random.below(20))};
+    const EdgeImage image = test::noise(size, 0.3, seed);
+    test::ConstantGradient gradient(size, 0);
+    for (std::int32_t y = 0; y < size.height; ++y) {
+      for (std::int32_t x = 0; x < size.width; ++x) {
+        const std::uint32_t most = random.below(3) == 0 ? 3 : random.below(5) == 0 ? 65535 : 2000;
+        gradient.dx.at(x, y) = static_cast<std::int16_t>(random.below(most) - most / 2);
+        gradient.dy.at(x, y) = static_cast<std::int16_t>(random.below(most) - most / 2);
+      }
+    }
+    HoughOptions options = short_lines(seed % 2 == 0 ? HoughGenerator::opencv : HoughGenerator::pcg32);
+    options.gradient_window = pi * random.below(1000) / (seed % 3 == 0 ? 999 : 5000) + 1e-3;
+    options.gradient_window = std::min(options.gradient_window, pi);
+    options.theta_step = theta_steps[random.below(5)];
     require_equal(image, options, gradient.view());
   }
 }
