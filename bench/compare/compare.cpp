@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Straightedge beside OpenCV, one thread each: bench_compare [ROUNDS, default 41]
-// The answers must be equal before a time counts. A row is the sum over six photos; processor time of the
+// The answers must agree before a time counts. A row is the sum over six photos, or a drawn floor plan; processor time of the
 // thread, the two in turns, medians.
 #include <cstdio>
 #include <cstdlib>
