@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // Straightedge beside OpenCV, one thread each: bench_compare [ROUNDS, default 41]
-// The answers must agree before a time counts. A row is the sum over six photos, or a drawn floor plan; processor time of the
-// thread, the two in turns, medians.
+// The answers must agree before a time counts. A row is the sum over six photos, or a drawn floor plan;
+// processor time of the thread, the two in turns, medians.
 #include <cstdio>
 #include <cstdlib>
 #include <opencv2/core.hpp>

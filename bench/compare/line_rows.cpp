@@ -26,7 +26,8 @@ constexpr HoughOptions as_opencv{
 /// What finds the walls of floor plans, short ones too; a window leaves chance fewer votes, so that it can
 /// ask for more.
 constexpr HoughOptions wall_options{.threshold = 20, .min_length = 12, .max_gap = 6};
-constexpr HoughOptions window_options{.threshold = 25, .min_length = 12, .max_gap = 6, .gradient_window = 0.1};
+constexpr HoughOptions window_options{
+    .threshold = 25, .min_length = 12, .max_gap = 6, .gradient_window = 0.1};
 
 void opencv_lines(const cv::Mat& edges, const HoughOptions& options, std::vector<cv::Vec4i>& lines) {
   cv::HoughLinesP(edges, lines, options.rho_step, options.theta_step, options.threshold, options.min_length,

@@ -43,7 +43,8 @@ struct RefinedSegment {
 ///    whose gradient points to the light side within max_angle, until a hole is longer than max_gap.
 /// 3. Take each pixel's sub-pixel position (edge_position.hpp) and weight, fit a line, go to 2; at most
 ///    `rounds` times, and no more when the pixels are those of the round before.
-/// 4. Before the last round, or when the pixels stay the same: when the two halves lie on lines a step apart, they are two walls that nearly
+/// 4. Before the last round, or when the pixels stay the same: when the two halves lie on lines a step apart,
+/// they are two walls that nearly
 ///    continue one another; go on with the larger half in a corridor half as wide.
 ///
 /// `mask` says which edge pixels may be used (non-zero). Cost: proportional to the segment's length.

@@ -245,7 +245,8 @@ TEST_CASE("every table of kernels lists the edge pixels of a row") {
   for (const HoughKernels* kernels : kernels_here()) {
     if (kernels == nullptr) continue;
     for (std::int32_t width = 1; width <= 200; ++width) {
-      const EdgeImage image = test::noise({width, 3}, 0.01 * (width % 100), static_cast<std::uint64_t>(width));
+      const EdgeImage image =
+          test::noise({width, 3}, 0.01 * (width % 100), static_cast<std::uint64_t>(width));
       for (std::int32_t y = 0; y < 3; ++y) {
         std::vector<std::uint16_t> columns(static_cast<std::size_t>(width) + 8);
         const std::int32_t count = kernels->edge_columns(image.view().row(y), width, columns.data());

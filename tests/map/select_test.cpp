@@ -94,5 +94,6 @@ TEST_CASE("bad options of the Hough transform come back as its status") {
   options.hough.threshold = 0;
   std::vector<WallLine> lines;
   LineMapReport report;
-  CHECK(find_edges(scene.mask, scene.field(), options, best_kernels(), lines, report) == Status::invalid_option);
+  CHECK(find_edges(scene.mask, scene.field(), options, best_kernels(), lines, report) ==
+        Status::invalid_option);
 }
