@@ -5,7 +5,7 @@
 //   bench_compare [ROUNDS, default 41] [PART...: edges lines first planes octree threads, default all]
 // The answers must agree before a time counts. The two take turns; medians. One thread each and its processor
 // time, but for `threads`: there each takes the threads that it wants, and the time is the clock's.
-// edges, lines: a row is the sum over six photos. first, planes, octree: a depth frame.
+// edges, lines: a row is the sum over six photos, or a drawn floor plan. first, planes, octree: a depth frame.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -8,7 +8,8 @@ namespace compare {
 
 /// Canny with both norms, and blur with Canny, once for each set of kernels.
 void print_edge_rows(straightedge::Size size, int rounds);
-/// The progressive Hough transform on the photos' edges.
+/// The progressive Hough transform on the photos' edges; the same with a gradient window, and the whole way
+/// to a line map, on a floor plan; once for each set of kernels.
 void print_line_rows(straightedge::Size size, int rounds);
 
 /// Planes: ours from the depth frame, the peers' from the cloud that they want, made outside the time.

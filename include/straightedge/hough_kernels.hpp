@@ -60,8 +60,8 @@ struct HoughCellKernels {
 
 /// How the angle at which a pixel's gradient window begins follows from its gradient.
 struct HoughWindowRule {
-  double half_window = 0;    ///< radians
-  double theta_step = 1;     ///< radians
+  double half_window = 0;      ///< radians
+  double theta_step = 1;       ///< radians
   std::int32_t half_turn = 1;  ///< angles in pi, below 65535
 };
 

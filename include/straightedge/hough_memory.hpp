@@ -26,7 +26,7 @@ struct PixelPlace {
 struct HoughAhead {
   HoughBatch voting;
   HoughSeen seen;
-  PixelPlace places[hough_batch_room];   ///< of the pixels that vote
+  PixelPlace places[hough_batch_room];    ///< of the pixels that vote
   std::uint32_t draws[hough_batch_room];  ///< how many had been drawn with each of them
   HoughBatch leaving;                     ///< pixels whose votes come off
   PixelPlace left_behind[hough_batch_room];

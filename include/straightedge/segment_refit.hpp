@@ -17,7 +17,7 @@ struct RefitOptions {
   double max_angle =
       0.4363323129985824;  ///< radians between a pixel's gradient and the line's normal; 0..pi/2
   double max_gap = 10;     ///< pixels; a longer hole ends the segment
-  int rounds = 4;          ///< of collecting and fitting; 1..20
+  int rounds = 4;          ///< of collecting and fitting, at most; 1..20
 };
 
 /// A straight edge, known better than to a pixel. Coordinates are columns and rows, the first pixel's
@@ -41,8 +41,10 @@ struct RefinedSegment {
 /// 1. Which side is light: the sign that most gradients in the corridor have.
 /// 2. Walk from the segment's middle to both ends and on, collecting the edge pixels of the corridor
 ///    whose gradient points to the light side within max_angle, until a hole is longer than max_gap.
-/// 3. Take each pixel's sub-pixel position (edge_position.hpp) and weight, fit a line, go to 2.
-/// 4. Before the last round: when the two halves lie on lines a step apart, they are two walls that nearly
+/// 3. Take each pixel's sub-pixel position (edge_position.hpp) and weight, fit a line, go to 2; at most
+///    `rounds` times, and no more when the pixels are those of the round before.
+/// 4. Before the last round, or when the pixels stay the same: when the two halves lie on lines a step apart,
+/// they are two walls that nearly
 ///    continue one another; go on with the larger half in a corridor half as wide.
 ///
 /// `mask` says which edge pixels may be used (non-zero). Cost: proportional to the segment's length.

@@ -13,6 +13,7 @@
 #include "cli/raw_lines.hpp"
 #include "cli/streams.hpp"
 #include "io/number_text.hpp"
+#include "straightedge/host/kernels.hpp"
 
 namespace straightedge::cli {
 namespace {
@@ -59,6 +60,9 @@ Result<Done> run(const RawHoughArguments& arguments) {
   if (auto fine = arguments.hough.check(); !fine) return fine;
   HoughOptions options = arguments.hough.options;
   options.seed = arguments.common.seed;
+  const auto kernels = kernels_from_environment();
+  if (!kernels) return kernels.failure();
+  options.kernels = kernels->hough;
   const std::filesystem::path file = input_path(arguments.input);
   std::vector<Output> outputs;
   if (!arguments.csv.empty()) outputs.push_back({"--csv", arguments.csv, ".csv", {}});

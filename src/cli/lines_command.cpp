@@ -17,6 +17,7 @@
 #include "straightedge/host/csv.hpp"
 #include "straightedge/host/draw.hpp"
 #include "straightedge/host/image_file.hpp"
+#include "straightedge/host/kernels.hpp"
 #include "straightedge/host/map_file.hpp"
 #include "straightedge/host/svg.hpp"
 
@@ -41,7 +42,10 @@ Result<LineMapResult> build(const fs::path& file, GrayView gray, const LineMapOp
   const std::size_t hough = HoughLines::workspace_bytes(gray.size(), options.hough);
   if (auto fits = check_memory(file, edges + hough + 8 * pixels); !fits) return fits.failure();
   const Progress progress(file.string() + ": making the line map", quiet);
-  auto built = negate ? build_line_map(negative(gray), options) : build_line_map(gray, options);
+  const auto kernels = kernels_from_environment();
+  if (!kernels) return kernels.failure();
+  auto built =
+      negate ? build_line_map(negative(gray), options, *kernels) : build_line_map(gray, options, *kernels);
   if (built) return built;
   return Failure{built.failure().problem, file.string() + ": " + built.failure().sentence};
 }

@@ -14,6 +14,7 @@ constexpr float rounding = 12582912.0F;  // 1.5 * 2^23
 constexpr std::int32_t room = hough_batch_room;
 constexpr std::int32_t vector = 16;
 constexpr std::int32_t lanes = 8;  // of double
+constexpr std::int32_t some_directions = 16;
 constexpr std::int32_t block = 64;  // angles that are looked at together
 
 constexpr double arc_tangents_of_eighths[] = {0.0,
@@ -156,12 +157,12 @@ std::int32_t edge_columns(const std::uint8_t* row, std::int32_t width, std::uint
 /// Gradients on their way to their directions, by the steps of arc_tangent (trigonometry.hpp). Both sides of
 /// each choice are computed: then the loops have no branches.
 struct Directions {
-  double dx[block];
-  double dy[block];
-  double ratio[block];
-  std::int32_t eighth[block];
-  double nearby[block];  ///< the arc tangent of the nearest eighth
-  std::int32_t first[block];
+  double dx[some_directions];
+  double dy[some_directions];
+  double ratio[some_directions];
+  std::int32_t eighth[some_directions];
+  double nearby[some_directions];  ///< the arc tangent of the nearest eighth
+  std::int32_t first[some_directions];
 };
 
 inline void find_ratios(Directions& d, std::int32_t count) noexcept {
@@ -215,8 +216,8 @@ inline void find_first(Directions& d, std::int32_t count, const HoughWindowRule&
 void first_angles(const std::int16_t* dx, const std::int16_t* dy, const std::uint16_t* columns,
                   std::int32_t count, const HoughWindowRule& rule, std::uint16_t* first) noexcept {
   Directions d;
-  for (std::int32_t start = 0; start < count; start += block) {
-    const std::int32_t some = count - start < block ? count - start : block;
+  for (std::int32_t start = 0; start < count; start += some_directions) {
+    const std::int32_t some = count - start < some_directions ? count - start : some_directions;
     const std::int32_t whole = (some + lanes - 1) / lanes * lanes;
     for (std::int32_t i = 0; i < some; ++i) {
       d.dx[i] = dx[columns[start + i]];

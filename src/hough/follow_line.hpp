@@ -18,7 +18,8 @@ struct WalkEnd {
   std::int32_t y = 0;
 };
 
-inline WalkEnd find_end(const HoughJob& job, FixedWalk walk, PixelPlace start, std::int32_t max_gap) noexcept {
+inline WalkEnd find_end(const HoughJob& job, FixedWalk walk, PixelPlace start,
+                        std::int32_t max_gap) noexcept {
   const PixelStates all = states(job);
   WalkEnd end{start.x, start.y};
   std::int32_t gap = 0;
@@ -35,7 +36,8 @@ inline WalkEnd find_end(const HoughJob& job, FixedWalk walk, PixelPlace start, s
 
 /// Takes the pixels up to `end` out of the image. `take(pixel, state)` is called for each, before.
 template <class Take>
-bool take_pixels(HoughJob& job, FixedWalk walk, WalkEnd end, const Take& take, std::int32_t& pixels) noexcept {
+bool take_pixels(HoughJob& job, FixedWalk walk, WalkEnd end, const Take& take,
+                 std::int32_t& pixels) noexcept {
   const PixelStates all = states(job);
   for (;; walk.advance()) {
     const std::int32_t x = walk.x();
@@ -61,7 +63,8 @@ inline bool long_enough(const HoughJob& job, const HoughSegment& s) noexcept {
 
 /// Steps 4 to 6 for one candidate: `take_off(pixel)` is called for each pixel whose votes come off.
 template <class TakeOff>
-bool follow_line(HoughJob& job, PixelPlace pixel, HoughCandidate candidate, const TakeOff& take_off) noexcept {
+bool follow_line(HoughJob& job, PixelPlace pixel, HoughCandidate candidate,
+                 const TakeOff& take_off) noexcept {
   const bool as_opencv = job.options.generator == HoughGenerator::opencv;
   // Holes are whole pixels.
   const auto max_gap =

@@ -37,7 +37,7 @@ void for_each_edge(const HoughJob& job, const HoughKernels& kernels, const Take&
   const std::span<std::uint16_t> firsts = job.memory.firsts;
   const HoughWindowRule rule{job.options.gradient_window, static_cast<double>(job.grid.theta_step),
                              job.grid.half_turn};
-  constexpr std::int32_t piece = 512;
+  constexpr std::int32_t piece = 256;
   std::uint16_t columns[piece + 8];
   for (std::int32_t y = 0; y < edges.height; ++y) {
     for (std::int32_t first = 0; first < edges.width; first += piece) {

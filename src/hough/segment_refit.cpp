@@ -49,7 +49,19 @@ struct Collected {
   LineMoments halves[2];  // before and behind the middle
   double begin = 0, end = 0;
   std::uint32_t pixels = 0;
+  std::uint64_t places = 0;  // sum over the pixels of a number that stands for their place
+
+  bool same_pixels(const Collected& other) const noexcept {
+    return pixels == other.pixels && places == other.places;
+  }
 };
+
+/// Scrambled, so that sums over different sets of pixels differ.
+std::uint64_t number_of(std::int32_t x, std::int32_t y) noexcept {
+  const std::uint64_t place = static_cast<std::uint64_t>(x) << 32U | static_cast<std::uint32_t>(y);
+  const std::uint64_t product = place * 0x9E3779B97F4A7C15U;
+  return product ^ product >> 29U;
+}
 
 /// Step 2, in one direction of the major axis.
 void collect(GrayView mask, const GradientField& field, const Corridor& strip, const RefitOptions& options,
@@ -72,6 +84,7 @@ void collect(GrayView mask, const GradientField& field, const Corridor& strip, c
       found.begin = s < found.begin ? s : found.begin;
       found.end = s > found.end ? s : found.end;
       ++found.pixels;
+      found.places += number_of(x, y);
       found.halves[s < 0 ? 0 : 1].add(edge.x - strip.px, edge.y - strip.py, 1 / edge.variance);
       hole = 0;
     });
@@ -164,11 +177,14 @@ Status refit_segment(GrayView mask, const GradientField& field, const HoughSegme
   if (!find_light_side(mask, field, steps_of(strip, rough), strip)) return Status::ok;  // Step 1
   double corridor = options.corridor;
   bool may_step = true;
+  Collected last;
   for (int left = options.rounds; left > 0; --left) {
     const Collected found = collect_both_ways(mask, field, strip, options);  // Step 2
+    const bool settled = found.same_pixels(last);
+    last = found;
     const Corridor before = strip;
     LineFit fit;
-    const bool stepped = may_step && left == 2 && is_stepped(found, strip);
+    const bool stepped = may_step && (left == 2 || (settled && left > 2)) && is_stepped(found, strip);
     if (!stepped && !follow(found, strip, fit)) {  // Step 3
       refined = {};
       return Status::ok;
@@ -179,6 +195,7 @@ Status refit_segment(GrayView mask, const GradientField& field, const HoughSegme
       left = 4;
     } else {
       refined = refined_from(found, before, strip, fit);
+      if (settled) break;
     }
     strip.half_width = corridor;
   }

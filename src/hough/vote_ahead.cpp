@@ -79,7 +79,7 @@ class VotingAhead {
     all.set(pixel.x, pixel.y, PixelState::voted);
     const std::int32_t threshold = job_.options.threshold;
     const HoughCandidate seen{ahead_.seen.votes[i], ahead_.seen.angles[i]};
-    if (seen.votes < threshold) return true;  // b
+    if (seen.votes < threshold) return true;                                                           // b
     const HoughCandidate candidate = kernels_.find(cells_, rows_, ahead_.voting, i, seen, threshold);  // c
     if (candidate.angle < 0) return true;
     const bool going_on = follow_line(job_, pixel, candidate, [this](PixelPlace taken) { leave(taken); });

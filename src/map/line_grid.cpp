@@ -27,8 +27,7 @@ void walk_cells(const WallLine& line, const Visit& visit) {
 
 }  // namespace
 
-LineGrid::LineGrid(const std::vector<WallLine>& lines, double reach)
-    : reach_(reach), lines_(lines.size()) {
+LineGrid::LineGrid(const std::vector<WallLine>& lines, double reach) : reach_(reach), lines_(lines.size()) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     walk_cells(lines[i], [&](std::int64_t column, std::int64_t row) {
       std::vector<std::size_t>& here = cells_[key_of(column, row)];

@@ -97,8 +97,7 @@ std::vector<std::vector<std::size_t>> long_enough(const std::vector<WallLine>& l
 
 }  // namespace
 
-Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options,
-                                     const KernelSet& kernels) {
+Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options, const KernelSet& kernels) {
   if (!gray.valid()) return Failure{Problem::bad_content, "the picture has no pixels"};
   if (!valid(options) || (options.meaning && !valid(*options.meaning)))
     return failure_of("the line map's options", Status::invalid_option);

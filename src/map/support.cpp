@@ -39,21 +39,37 @@ struct Run {
 /// How dark each pixel is, 0 to 255.
 Image<std::uint8_t> darkness_of(GrayView stretched) {
   Image<std::uint8_t> out(stretched.size());
-  const ImageView<std::uint8_t> dark = out.view();
-  for (std::int32_t y = 0; y < dark.height; ++y) {
-    const std::uint8_t* row = stretched.row(y);
-    for (std::int32_t x = 0; x < dark.width; ++x) dark.at(x, y) = static_cast<std::uint8_t>(255 - row[x]);
+  for (std::int32_t y = 0; y < stretched.height; ++y) {
+    const std::uint8_t* const row = stretched.row(y);
+    std::uint8_t* const dark = out.view().row(y);
+    for (std::int32_t x = 0; x < stretched.width; ++x) dark[x] = static_cast<std::uint8_t>(255 - row[x]);
   }
   return out;
+}
+
+/// The first column from x on that is as dark as `least`, or the width: most pixels of a map are not.
+std::int32_t next_dark(const std::uint8_t* darkness, std::int32_t x, std::int32_t width, int least) {
+  constexpr std::int32_t many = 32;
+  while (x + many <= width) {
+    unsigned any = 0;
+    for (std::int32_t k = 0; k < many; ++k) any |= darkness[x + k] >= least ? 1U : 0U;
+    if (any != 0) break;
+    x += many;
+  }
+  while (x < width && darkness[x] < least) ++x;
+  return x;
 }
 
 /// A thin wall that runs between two pixels darkens both by half: makes them as dark as `from`.
 void join_pairs(ImageView<std::uint8_t> darkness, int from) {
   const int enough = static_cast<int>(255 * pair_dark);
+  const int least = (enough + 3) / 4;
   for (std::int32_t y = 0; y < darkness.height; ++y) {
-    for (std::int32_t x = 0; x < darkness.width; ++x) {
-      const int here = darkness.at(x, y);
-      if (here >= from || 4 * here < enough) continue;
+    const std::uint8_t* const row = darkness.row(y);
+    for (std::int32_t x = next_dark(row, 0, darkness.width, least); x < darkness.width;
+         x = next_dark(row, x + 1, darkness.width, least)) {
+      const int here = row[x];
+      if (here >= from) continue;
       for (const auto& [nx, ny] : {std::pair{x + 1, y}, std::pair{x, y + 1}}) {
         if (!darkness.contains(nx, ny)) continue;
         const int next = darkness.at(nx, ny);
@@ -89,7 +105,9 @@ Image<std::uint8_t> solid_areas(GrayView darkness, int from, double min_piece) {
   const auto is_dark = [&](Pixel p) { return darkness.at(p.x, p.y) >= from; };
   std::vector<Pixel> area;
   for (std::int32_t y = 0; y < darkness.height; ++y) {
-    for (std::int32_t x = 0; x < darkness.width; ++x) {
+    const std::uint8_t* const row = darkness.row(y);
+    for (std::int32_t x = next_dark(row, 0, darkness.width, from); x < darkness.width;
+         x = next_dark(row, x + 1, darkness.width, from)) {
       if (solid.at(x, y) != 0 || !is_dark({x, y})) continue;
       const Square square = grow_area({x, y}, solid.view(), unlimited, area, is_dark);
       if (square.side() >= min_piece) continue;

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "../support/golden_hough.hpp"
 #include "plain_progressive.hpp"
 #include "straightedge/detail/x86_instructions.hpp"
@@ -142,6 +144,29 @@ TEST_CASE("the same with a gradient window") {
   }
 }
 
+TEST_CASE("the same with gradients of all directions and windows of all widths") {
+  const double theta_steps[] = {degree, 0.02, 0.013, 0.5, 2.0};
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    INFO("seed " << seed);
+    Pcg32 random(seed, 9);
+    const Size size{1 + static_cast<int>(random.below(300)), 1 + static_cast<int>(random.below(20))};
+    const EdgeImage image = test::noise(size, 0.3, seed);
+    test::ConstantGradient gradient(size, 0);
+    for (std::int32_t y = 0; y < size.height; ++y) {
+      for (std::int32_t x = 0; x < size.width; ++x) {
+        const std::uint32_t most = random.below(3) == 0 ? 3 : random.below(5) == 0 ? 65535 : 2000;
+        gradient.dx.at(x, y) = static_cast<std::int16_t>(random.below(most) - most / 2);
+        gradient.dy.at(x, y) = static_cast<std::int16_t>(random.below(most) - most / 2);
+      }
+    }
+    HoughOptions options = short_lines(seed % 2 == 0 ? HoughGenerator::opencv : HoughGenerator::pcg32);
+    options.gradient_window = pi * random.below(1000) / (seed % 3 == 0 ? 999 : 5000) + 1e-3;
+    options.gradient_window = std::min(options.gradient_window, pi);
+    options.theta_step = theta_steps[random.below(5)];
+    require_equal(image, options, gradient.view());
+  }
+}
+
 TEST_CASE("cells of one, two and four bytes hold what comes together") {
   struct Case {
     Size size;
@@ -220,7 +245,8 @@ TEST_CASE("every table of kernels lists the edge pixels of a row") {
   for (const HoughKernels* kernels : kernels_here()) {
     if (kernels == nullptr) continue;
     for (std::int32_t width = 1; width <= 200; ++width) {
-      const EdgeImage image = test::noise({width, 3}, 0.01 * (width % 100), static_cast<std::uint64_t>(width));
+      const EdgeImage image =
+          test::noise({width, 3}, 0.01 * (width % 100), static_cast<std::uint64_t>(width));
       for (std::int32_t y = 0; y < 3; ++y) {
         std::vector<std::uint16_t> columns(static_cast<std::size_t>(width) + 8);
         const std::int32_t count = kernels->edge_columns(image.view().row(y), width, columns.data());

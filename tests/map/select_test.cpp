@@ -72,7 +72,7 @@ TEST_CASE("the four edges of a box are found by every method, each once") {
     options.hough.method = method;
     std::vector<WallLine> lines;
     LineMapReport report;
-    REQUIRE(find_edges(scene.mask, scene.field(), options, lines, report) == Status::ok);
+    REQUIRE(find_edges(scene.mask, scene.field(), options, best_kernels(), lines, report) == Status::ok);
     CHECK(scene.mask == before);
     CHECK(lines.size() == 4);
     CHECK(report.edges == lines.size());
@@ -94,5 +94,6 @@ TEST_CASE("bad options of the Hough transform come back as its status") {
   options.hough.threshold = 0;
   std::vector<WallLine> lines;
   LineMapReport report;
-  CHECK(find_edges(scene.mask, scene.field(), options, lines, report) == Status::invalid_option);
+  CHECK(find_edges(scene.mask, scene.field(), options, best_kernels(), lines, report) ==
+        Status::invalid_option);
 }

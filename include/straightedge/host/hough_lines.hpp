@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -33,7 +34,9 @@ inline HoughFound hough_lines(GrayView edges, const HoughOptions& options = {}, 
   if (found.result.status != Status::ok) return found;
 
   const bool with_peaks = options.method != HoughMethod::progressive;
-  std::size_t capacity = 4096;
+  // Large enough nearly always: a second run costs more than room.
+  const auto pixels = static_cast<std::size_t>(edges.width) * static_cast<std::size_t>(edges.height);
+  std::size_t capacity = std::max<std::size_t>(4096, pixels / 64);
   do {
     found.peaks.resize(with_peaks ? capacity : 0);
     found.segments.resize(capacity);
