@@ -35,7 +35,8 @@ struct CloudBlocks {
   const float* first[3];
   std::ptrdiff_t step;
 
-  CloudBlocks(const Readings& of, const Labels& with, const LinearPlane& plane, const AxisOrder& order) noexcept
+  CloudBlocks(const Readings& of, const Labels& with, const LinearPlane& plane,
+              const AxisOrder& order) noexcept
       : readings(of), labels(with), first{of.points.x, of.points.y, of.points.z} {
     const double k[3] = {plane.x, plane.y, plane.z};
     const double origin[3] = {of.origin.x, of.origin.y, of.origin.z};

@@ -37,7 +37,9 @@ struct Search {
   std::uint32_t rough_readings = 0;
   float rough_limit = 0;  ///< cost in the rough rows above which a hypothesis is not worth a look
 
-  double score(float cost) const noexcept { return static_cast<double>(subset.count) - static_cast<double>(cost); }
+  double score(float cost) const noexcept {
+    return static_cast<double>(subset.count) - static_cast<double>(cost);
+  }
 };
 
 /// Step 2. False: no plane.
@@ -104,8 +106,8 @@ double near_probability(const Search& s, const LinearPlane& best, double radius)
   return sampled == 0 ? 0 : inliers / static_cast<double>(subset.count) * (sum / sampled);
 }
 
-/// Of the readings that look first a share as large as that of all, less what chance may have taken: the least
-/// x with x + sigmas √x >= the share.
+/// Of the readings that look first a share as large as that of all, less what chance may have taken: the
+/// least x with x + sigmas √x >= the share.
 float rough_limit(const Search& s, float best_cost) noexcept {
   const double share = worth_a_look * s.score(best_cost) * s.rough_readings / s.subset.count;
   const double half = rough_sigmas / 2;
@@ -156,7 +158,8 @@ RansacEvent event_of(const Subset& subset, const Triple& triple, std::uint32_t p
 }
 
 /// Step 2 for the next sixteen hypotheses.
-void draw_batch(const Search& s, std::uint64_t first_stream, Hypothesis* batch, RansacBatch& planes) noexcept {
+void draw_batch(const Search& s, std::uint64_t first_stream, Hypothesis* batch,
+                RansacBatch& planes) noexcept {
   for (std::uint32_t h = 0; h < ransac_lanes; ++h) {
     Pcg32 random(s.options.seed, first_stream + h);
     batch[h].made = draw_hypothesis(s.subset, s.options.near_radius, random, batch[h]);
@@ -181,8 +184,9 @@ std::uint32_t try_hypothesis(Search& s, const Hypothesis& h, float rough_cost, s
     // Step 4.
     const bool first = s.found.count == 0;
     const std::uint32_t at = offer(s, h, cost);
-    if (at < Consensus::most && (first || s.found.candidates[at].cost < s.found.candidates[s.found.best].cost ||
-                                 at == s.found.best)) {
+    if (at < Consensus::most &&
+        (first || s.found.candidates[at].cost < s.found.candidates[s.found.best].cost ||
+         at == s.found.best)) {
       needed = accept(s, at);
       event.best = true;
       event.inliers = s.found.inliers;
@@ -196,9 +200,14 @@ std::uint32_t try_hypothesis(Search& s, const Hypothesis& h, float rough_cost, s
 Consensus find_consensus(const Subset& subset, const RansacOptions& options, std::uint32_t plane) noexcept {
   Consensus found;
   if (subset.count < 3) return found;
-  Search s{.subset = subset, .options = options, .kernels = *options.kernels, .found = found,
-           .rows = subset.rows(), .rough = subset.rows()};
-  const std::uint32_t part = subset.count / rough_part > least_rough ? subset.count / rough_part : least_rough;
+  Search s{.subset = subset,
+           .options = options,
+           .kernels = *options.kernels,
+           .found = found,
+           .rows = subset.rows(),
+           .rough = subset.rows()};
+  const std::uint32_t part =
+      subset.count / rough_part > least_rough ? subset.count / rough_part : least_rough;
   s.rough_readings = part < subset.count ? part : subset.count;
   s.rough.count = s.rough_readings;
   s.rough_limit = static_cast<float>(s.rough_readings);

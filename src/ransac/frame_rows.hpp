@@ -25,8 +25,9 @@ void prefetch(const Q* pixels, std::int32_t count) noexcept {
   for (std::int32_t i = 0; i < count; i += line) __builtin_prefetch(pixels + i);
 }
 
-/// Calls visit(pixels, u, v) for every `part`-th row of a frame, from the middle of the first rows on, in pieces
-/// that the kernels take; u is the column of the first of the pixels. The plane is 1/z = a i + c there.
+/// Calls visit(pixels, u, v) for every `part`-th row of a frame, from the middle of the first rows on, in
+/// pieces that the kernels take; u is the column of the first of the pixels. The plane is 1/z = a i + c
+/// there.
 template <class Q, class Visit>
 void for_pixels(const Readings& readings, const Labels& labels, const LinearPlane& plane, std::int32_t part,
                 Visit visit) noexcept {

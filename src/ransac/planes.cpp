@@ -68,7 +68,9 @@ LinearPlane win(const Job& job, const ransac::Subset& subset, const ransac::Cons
   // Each score is a sum of numbers up to 1, so its variance is at most the score.
   const double best = score(found.best);
   const double least = best - contest_sigmas * square_root(2 * best);
-  const auto inliers_of = [&](const LinearPlane& plane) { return job.verify().count_inliers(plane, contest_part); };
+  const auto inliers_of = [&](const LinearPlane& plane) {
+    return job.verify().count_inliers(plane, contest_part);
+  };
   LinearPlane winner = refined(job, found.candidates[found.best].plane);
   std::uint32_t most = 0;
   for (std::uint32_t i = 0; i < found.count; ++i) {

@@ -30,7 +30,8 @@ struct Inliers {
     if (p.step == 1 && labels == nullptr) {
       look<true>(p, px, py, pz, [](std::int32_t) { return -1; });
     } else {
-      look<false>(p, px, py, pz, [&](std::int32_t i) { return labels == nullptr || labels[i] == 0 ? -1 : 0; });
+      look<false>(p, px, py, pz,
+                  [&](std::int32_t i) { return labels == nullptr || labels[i] == 0 ? -1 : 0; });
     }
     for (std::int32_t i = count; i % lanes != 0; ++i) x[i] = y[i] = r[i] = 0;
   }

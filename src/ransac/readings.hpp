@@ -29,13 +29,14 @@ struct LinearPlane {
 
 /// A depth frame or a cloud as numbered readings.
 struct Readings {
-  ImageView<const float> frame;        ///< with data: a frame of 1/z
-  ImageView<const std::uint16_t> raw;  ///< with data: a frame of depth as the sensor gives it, 1/z = scale / raw
+  ImageView<const float> frame;  ///< with data: a frame of 1/z
+  ImageView<const std::uint16_t>
+      raw;  ///< with data: a frame of depth as the sensor gives it, 1/z = scale / raw
   float scale = 1;
   PinholeCamera camera;  ///< of the frame; of rays for a cloud
   PointsView points;
   PlaneGate gate;
-  Vector3 origin;  ///< of a cloud with a gate in metres: floats resolve what is near it
+  Vector3 origin;                       ///< of a cloud with a gate in metres: floats resolve what is near it
   detail::CloudBlock* block = nullptr;  ///< for such a cloud, unless all of its points are readings
 
   bool is_raw() const noexcept { return raw.data != nullptr; }

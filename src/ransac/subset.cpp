@@ -84,12 +84,17 @@ struct Squares {
     std::int32_t u0, v0, at;  ///< the square's corner, and a pixel of it
   };
 
-  std::int32_t width_at(std::int32_t u0) const noexcept { return frame.width - u0 < side ? frame.width - u0 : side; }
-  std::int32_t height_at(std::int32_t v0) const noexcept { return frame.height - v0 < side ? frame.height - v0 : side; }
+  std::int32_t width_at(std::int32_t u0) const noexcept {
+    return frame.width - u0 < side ? frame.width - u0 : side;
+  }
+  std::int32_t height_at(std::int32_t v0) const noexcept {
+    return frame.height - v0 < side ? frame.height - v0 : side;
+  }
 
   Drawn draw(std::int32_t u0, std::int32_t v0, Pcg32& random) const noexcept {
     const std::int32_t width = width_at(u0);
-    const auto at = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(width * height_at(v0))));
+    const auto at =
+        static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(width * height_at(v0))));
     // Pixels drawn lie far apart: all of a turn are on their way before the first is looked at.
     const std::int32_t v = at / width;
     __builtin_prefetch(frame.row(v0 + v) + u0 + (at - v * width));
@@ -173,7 +178,8 @@ void draw_from_cloud(Subset& subset, const Labels& labels, std::uint32_t left, s
     } else {
       while (!labels.free(i, 0) || !readings.read(i, r) || passed++ != wanted) ++i;
     }
-    put(subset, runs.place_of(part++), i++, floats_of({r.x, r.y, r.z}), static_cast<float>(r.w), floats_of(r.place));
+    put(subset, runs.place_of(part++), i++, floats_of({r.x, r.y, r.z}), static_cast<float>(r.w),
+        floats_of(r.place));
   }
 }
 

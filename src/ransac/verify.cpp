@@ -131,25 +131,28 @@ std::uint32_t label_points(const RansacPoints& p, std::uint16_t label, std::uint
 }  // namespace
 
 template <class Q>
-ModelSums Verify::sum_frame(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept {
+ModelSums Verify::sum_frame(const LinearPlane& plane, std::uint32_t part,
+                            std::uint32_t& seen) const noexcept {
   InverseDepthMoments m;
   const auto rows = static_cast<std::int32_t>(part);
-  for_pixels<Q>(readings, labels, plane, rows, [&](const RansacPixels<Q>& row, std::int32_t u, std::int32_t v) {
-    RansacPixelSums s;
-    if constexpr (sizeof(Q) == sizeof(float)) {
-      s = kernels.inverse.sum(row);
-    } else {
-      s = kernels.raw.sum(row);
-    }
-    seen += s.readings;
-    if (s.n > 0) add_row(m, s, u, v);
-  });
+  for_pixels<Q>(readings, labels, plane, rows,
+                [&](const RansacPixels<Q>& row, std::int32_t u, std::int32_t v) {
+                  RansacPixelSums s;
+                  if constexpr (sizeof(Q) == sizeof(float)) {
+                    s = kernels.inverse.sum(row);
+                  } else {
+                    s = kernels.raw.sum(row);
+                  }
+                  seen += s.readings;
+                  if (s.n > 0) add_row(m, s, u, v);
+                });
   ModelSums sums;
   sums.inverse = with_plane(m, plane);
   return sums;
 }
 
-ModelSums Verify::sum_space(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept {
+ModelSums Verify::sum_space(const LinearPlane& plane, std::uint32_t part,
+                            std::uint32_t& seen) const noexcept {
   const AxisOrder order = axis_order(plane);
   CloudBlocks blocks(readings, labels, plane, order);
   SpaceSums s;
@@ -173,7 +176,8 @@ ModelSums Verify::sum_rays(const LinearPlane& plane, std::uint32_t part, std::ui
   return sums;
 }
 
-ModelSums Verify::sum_inliers(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept {
+ModelSums Verify::sum_inliers(const LinearPlane& plane, std::uint32_t part,
+                              std::uint32_t& seen) const noexcept {
   seen = 0;
   if (readings.is_raw()) return sum_frame<std::uint16_t>(plane, part, seen);
   if (readings.is_frame()) return sum_frame<float>(plane, part, seen);
@@ -236,9 +240,8 @@ std::uint32_t Verify::count_free() const noexcept {
   } else if (readings.in_space()) {
     CloudBlocks blocks(readings, labels, {}, {});
     blocks.block.gate = 0;  // nothing is nearer than not at all
-    blocks.for_each(1, [&](const RansacPoints& block) {
-      seen += blocks.kernels(kernels).sum_points(block).readings;
-    });
+    blocks.for_each(
+        1, [&](const RansacPoints& block) { seen += blocks.kernels(kernels).sum_points(block).readings; });
   } else {
     Reading r;
     for (std::uint32_t i = 0; i < readings.count(); ++i)
