@@ -22,9 +22,9 @@ constexpr std::uint32_t rough_part = 8, least_rough = 128;
 /// at all of the subset, and standard deviations that chance may have taken from it.
 constexpr double worth_a_look = 0.7, rough_sigmas = 2;
 
+/// A plane through three readings, which are kept in its place: few are looked at again.
 struct Hypothesis {
   Triple triple;
-  LinearPlane plane;
   bool made = false;
 };
 
@@ -42,9 +42,15 @@ struct Search {
   }
 };
 
+/// False: no plane.
+bool plane_of(const Subset& subset, const Triple& triple, LinearPlane& plane) noexcept {
+  return plane_through(subset.coordinates(triple.of[0]), subset.coordinates(triple.of[1]),
+                       subset.coordinates(triple.of[2]), subset.readings.in_space(), plane);
+}
+
 /// Step 2. False: no plane.
-bool draw_hypothesis(const Subset& subset, double near_radius, Pcg32& random, Hypothesis& h) noexcept {
-  const bool in_space = subset.readings.in_space();
+bool draw_hypothesis(const Subset& subset, double near_radius, Pcg32& random, Hypothesis& h,
+                     LinearPlane& plane) noexcept {
   for (int i = 0; i < redraws; ++i) {
     if (near_radius > 0) {
       h.triple.of[0] = random.below(subset.count);
@@ -57,9 +63,7 @@ bool draw_hypothesis(const Subset& subset, double near_radius, Pcg32& random, Hy
     } else {
       h.triple = draw_three(random, subset.count);
     }
-    if (plane_through(subset.coordinates(h.triple.of[0]), subset.coordinates(h.triple.of[1]),
-                      subset.coordinates(h.triple.of[2]), in_space, h.plane))
-      return true;
+    if (plane_of(subset, h.triple, plane)) return true;
   }
   return false;
 }
@@ -130,16 +134,16 @@ std::uint32_t accept(Search& s, std::uint32_t index) noexcept {
 
 /// Step 4, and where the plane belongs among the candidates: in place of one that is like it, of none, or of
 /// the dearest. Returns its index, or Consensus::most: nowhere.
-std::uint32_t offer(Search& s, const Hypothesis& h, float cost) noexcept {
+std::uint32_t offer(Search& s, const Candidate& drawn) noexcept {
   Consensus& found = s.found;
-  Candidate made{h.plane, h.triple, cost};
+  Candidate made = drawn;
   std::uint32_t dearest = 0, like = found.count;
   for (std::uint32_t i = 0; i < found.count; ++i) {
     if (found.candidates[i].cost > found.candidates[dearest].cost) dearest = i;
     if (alike(s.subset, made, found.candidates[i])) like = i;
   }
-  if (like < found.count && !(cost < found.candidates[like].cost)) return Consensus::most;
-  made.cost = optimise(s.subset, s.kernels, cost, made.plane);
+  if (like < found.count && !(drawn.cost < found.candidates[like].cost)) return Consensus::most;
+  made.cost = optimise(s.subset, s.kernels, drawn.cost, made.plane);
   for (std::uint32_t i = 0; like == found.count && i < found.count; ++i)
     if (alike(s.subset, made, found.candidates[i])) like = i;
   std::uint32_t at = like;
@@ -162,8 +166,9 @@ void draw_batch(const Search& s, std::uint64_t first_stream, Hypothesis* batch,
                 RansacBatch& planes) noexcept {
   for (std::uint32_t h = 0; h < ransac_lanes; ++h) {
     Pcg32 random(s.options.seed, first_stream + h);
-    batch[h].made = draw_hypothesis(s.subset, s.options.near_radius, random, batch[h]);
-    const Coefficients k = coefficients(batch[h].plane);
+    LinearPlane plane;
+    batch[h].made = draw_hypothesis(s.subset, s.options.near_radius, random, batch[h], plane);
+    const Coefficients k = coefficients(plane);
     planes.x[h] = k.x;
     planes.y[h] = k.y;
     planes.z[h] = k.z;
@@ -177,13 +182,15 @@ std::uint32_t try_hypothesis(Search& s, const Hypothesis& h, float rough_cost, s
   // Step 3.
   const bool worth = rough_cost <= s.rough_limit;
   if (!worth && s.options.trace.event == nullptr) return needed;
-  const float cost = s.kernels.row_cost(s.rows, coefficients(h.plane));
-  RansacEvent event = event_of(s.subset, h.triple, plane, s.found.iterations, cost);
+  Candidate drawn{{}, h.triple, 0};
+  (void)plane_of(s.subset, h.triple, drawn.plane);
+  drawn.cost = s.kernels.row_cost(s.rows, coefficients(drawn.plane));
+  RansacEvent event = event_of(s.subset, h.triple, plane, s.found.iterations, drawn.cost);
   const double best = s.found.count == 0 ? 0 : s.score(s.found.candidates[s.found.best].cost);
-  if (worth && s.score(cost) > worth_a_look * best) {
+  if (worth && s.score(drawn.cost) > worth_a_look * best) {
     // Step 4.
     const bool first = s.found.count == 0;
-    const std::uint32_t at = offer(s, h, cost);
+    const std::uint32_t at = offer(s, drawn);
     if (at < Consensus::most &&
         (first || s.found.candidates[at].cost < s.found.candidates[s.found.best].cost ||
          at == s.found.best)) {

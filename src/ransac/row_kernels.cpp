@@ -26,7 +26,7 @@ void quad_costs(const RansacRows& rows, const RansacBatch& planes, std::uint32_t
 }
 
 /// Rows that are looked at in one go.
-constexpr std::uint32_t chunk = 64;
+constexpr std::uint32_t chunk = 32;
 
 /// Rows from `first` on as they count in the sums: zeros beyond the limit.
 struct Inliers {
