@@ -134,8 +134,8 @@ class RansacPlanes {
                          ImageView<std::uint16_t> labels) noexcept;
 
  private:
-  RansacPlanesResult run(ransac::Readings& readings, std::span<FoundPlane> out,
-                         ImageView<std::uint16_t> labels) noexcept;
+  RansacPlanesResult find(ransac::Readings& readings, std::span<FoundPlane> out,
+                          ImageView<std::uint16_t> labels) noexcept;
   RansacPlanesResult refused(Status status) const noexcept;
 
   RansacOptions options_;

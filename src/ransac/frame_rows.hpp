@@ -29,14 +29,14 @@ void prefetch(const Q* pixels, std::int32_t count) noexcept {
 /// pieces that the kernels take; u is the column of the first of the pixels. The plane is 1/z = a i + c
 /// there.
 template <class Q, class Visit>
-void for_pixels(const Readings& readings, const Labels& labels, const LinearPlane& plane, std::int32_t part,
-                Visit visit) noexcept {
+void for_pixels(const Readings& readings, const Labels& labels, const LinearPlane& plane, double gates,
+                std::int32_t part, Visit visit) noexcept {
   const ImageView<const Q>& frame = frame_of<Q>(readings);
   RansacPixels<Q> row;
   row.scale = readings.scale;
   row.a = static_cast<float>(-plane.x);
-  row.constant = readings.constant();
-  row.metres = readings.metres();
+  row.constant = readings.constant(gates);
+  row.metres = readings.metres(gates);
   const std::int32_t ahead = 2 * part;
   for (std::int32_t v = part / 2; v < frame.height; v += part) {
     if (frame.height - v > ahead) prefetch(frame.row(v + ahead), frame.width);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int32_t lanes = ransac_lanes;
 /// Points that are looked at in one go; a multiple of the lanes.
-constexpr std::int32_t chunk = 64;
+constexpr std::int32_t chunk = 32;
 
 float only(float number, std::int32_t mask) noexcept {
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(number) & mask);

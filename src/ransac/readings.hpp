@@ -47,12 +47,12 @@ struct Readings {
     return is_frame() ? static_cast<std::uint32_t>(size().width) * static_cast<std::uint32_t>(size().height)
                       : static_cast<std::uint32_t>(points.count);
   }
-  /// The gate of a frame's pixels: in 1/z, or along z, whichever is more.
-  float constant() const noexcept {
-    return static_cast<float>(gate.fixed_m > 0 ? 0 : gate.sigmas * gate.inverse_sigma);
+  /// So many gates of a frame's pixels: in 1/z, or along z, whichever is more.
+  float constant(double gates = 1) const noexcept {
+    return static_cast<float>(gate.fixed_m > 0 ? 0 : gates * gate.sigmas * gate.inverse_sigma);
   }
-  float metres() const noexcept {
-    return static_cast<float>(gate.fixed_m > 0 ? gate.fixed_m : gate.sigmas * gate.floor_m);
+  float metres(double gates = 1) const noexcept {
+    return static_cast<float>(gates * (gate.fixed_m > 0 ? gate.fixed_m : gate.sigmas * gate.floor_m));
   }
   float inverse_at(std::int32_t u, std::int32_t v) const noexcept {
     return is_raw() ? inverse_of(raw.at(u, v), scale) : frame.at(u, v);

@@ -116,7 +116,10 @@ void check_points(const RansacKernels& kernels, const std::vector<float>& with, 
   for (auto& a : axis)
     for (std::size_t i = 0; i < count * step; ++i) a.push_back(one_of(random, with));
   const auto labels = labels_by_chance(count, random);
-  RansacPoints p{axis[0].data(), axis[1].data(), axis[2].data()};
+  RansacPoints p;
+  p.x = axis[0].data();
+  p.y = axis[1].data();
+  p.z = axis[2].data();
   p.labels = random.below(2) == 0 ? labels.data() : nullptr;
   p.count = static_cast<std::int32_t>(count);
   p.step = static_cast<std::ptrdiff_t>(step);
