@@ -22,9 +22,8 @@ bool measure(Size size) noexcept {
   RansacPlanes ransac;
   const auto part = std::span(workspace).first(bytes);
   if (RansacPlanes::prepare(ransac, firmware::pixels_of(size), options, part) != Status::ok) return false;
-  return firmware::count("RansacPlanes/first", size, bytes, [&] {
-    return ransac.run(depth, planes, {}).found.planes == 1;
-  });
+  return firmware::count("RansacPlanes/first", size, bytes,
+                         [&] { return ransac.run(depth, planes, {}).found.planes == 1; });
 }
 
 }  // namespace
