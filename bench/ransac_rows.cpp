@@ -42,14 +42,13 @@ auto prepare_planes(const RansacOptions& options) {
       DepthView depth() const { return {raw.view(), metres_per_unit, camera}; }
     };
     const DepthScene scene = make_depth_scene(size);
-    auto w = std::make_shared<Work>(
-        Work{raw_depth(scene), scene.camera, {}, std::vector<FoundPlane>(16), {}});
+    auto w =
+        std::make_shared<Work>(Work{raw_depth(scene), scene.camera, {}, std::vector<FoundPlane>(16), {}});
     const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     w->workspace.resize(RansacPlanes::workspace_bytes(pixels, options));
     require(RansacPlanes::prepare(w->ransac, pixels, options, w->workspace), "prepare ransac");
     return [w] {
-      const RansacPlanesResult result =
-          w->ransac.run(w->depth(), w->planes, {});
+      const RansacPlanesResult result = w->ransac.run(w->depth(), w->planes, {});
       require(result.status, "ransac");
       require_some(result.found.planes, "planes");
     };

@@ -4,7 +4,6 @@
 // The largest plane of a depth frame by RANSAC, from the raw frame to the fit to all of its pixels.
 #include "budget/case.hpp"
 #include "budget/depth_input.hpp"
-#include "straightedge/inverse_depth.hpp"
 #include "straightedge/ransac_planes.hpp"
 
 namespace {
@@ -15,20 +14,16 @@ using namespace straightedge;
 constexpr RansacOptions options{.subset = 512};
 [[gnu::section(".big.workspace")]] alignas(
     64) std::array<std::byte, RansacPlanes::workspace_bytes(firmware::most_pixels, options)> workspace;
-[[gnu::section(".big.inverse")]] std::array<float, firmware::most_pixels> inverse;
 std::array<FoundPlane, 1> planes;
 
 bool measure(Size size) noexcept {
   const std::size_t bytes = RansacPlanes::workspace_bytes(firmware::pixels_of(size), options);
   const DepthView depth = firmware::room_depth(size);
-  const ImageView<float> inverse_depth(inverse.data(), size);
   RansacPlanes ransac;
   const auto part = std::span(workspace).first(bytes);
   if (RansacPlanes::prepare(ransac, firmware::pixels_of(size), options, part) != Status::ok) return false;
-  return firmware::count("RansacPlanes/first", size, bytes, [&] {
-    return inverse_depth_image(depth, inverse_depth) == Status::ok &&
-           ransac.run(inverse_depth, depth.camera, planes, {}).found.planes == 1;
-  });
+  return firmware::count("RansacPlanes/first", size, bytes,
+                         [&] { return ransac.run(depth, planes, {}).found.planes == 1; });
 }
 
 }  // namespace

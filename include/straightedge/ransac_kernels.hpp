@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The inner loops of RansacPlanes (ransac_planes.hpp): one table of functions. The plain table is always there;
-/// others hold faster twins, which give the same bits. Which of them this machine can run, the application
-/// must know (host/kernels.hpp asks the processor): a table's functions stop a program that has not the
-/// instructions.
+/// The inner loops of RansacPlanes (ransac_planes.hpp): one table of functions. The plain table is always
+/// there; others hold faster twins, which give the same bits. Which of them this machine can run, the
+/// application must know (host/kernels.hpp asks the processor): a table's functions stop a program that has
+/// not the instructions.
 ///
 /// Sums of floats are 16 interleaved partial sums, element i in sum i mod 16, each in order; then the halves
 /// are added onto one another, 8 apart, 4, 2, 1. Other sums are of whole numbers.

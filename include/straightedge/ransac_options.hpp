@@ -16,7 +16,7 @@ struct RansacEvent {
   std::uint32_t triple[3] = {0, 0, 0};  ///< points or pixels (row by row) that make it
   std::uint32_t inliers = 0;            ///< in the subset, after local optimisation; 0 unless it is the best
   float cost = 0;                       ///< MSAC cost in the subset as drawn
-  bool best = false;                    ///< cheaper than all before
+  bool best = false;                    ///< made the cheapest plane so far
 };
 
 /// Watches a run. `event` returns false to stop it, which gives `cancelled`.
@@ -52,7 +52,8 @@ constexpr bool valid(const RansacOptions& o) noexcept {
   return o.gate.valid() && o.subset >= 16 && o.subset <= 65536 && o.near_radius >= 0 &&
          o.near_radius <= 1e6 && o.confidence > 0 && o.confidence < 1 && o.max_iterations >= 1 &&
          o.max_iterations <= 10'000'000 && o.max_planes >= 1 && o.max_planes <= 65535 && o.min_inliers >= 3 &&
-         o.min_share >= 0 && o.min_share <= 1 && o.piece_cell_m > 0 && o.piece_cell_m <= 1000 && o.kernels != nullptr;
+         o.min_share >= 0 && o.min_share <= 1 && o.piece_cell_m > 0 && o.piece_cell_m <= 1000 &&
+         o.kernels != nullptr;
 }
 
 }  // namespace detail

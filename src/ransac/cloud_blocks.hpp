@@ -35,7 +35,8 @@ struct CloudBlocks {
   const float* first[3];
   std::ptrdiff_t step;
 
-  CloudBlocks(const Readings& of, const Labels& with, const LinearPlane& plane, const AxisOrder& order) noexcept
+  CloudBlocks(const Readings& of, const Labels& with, const LinearPlane& plane, const AxisOrder& order,
+              double gates) noexcept
       : readings(of), labels(with), first{of.points.x, of.points.y, of.points.z} {
     const double k[3] = {plane.x, plane.y, plane.z};
     const double origin[3] = {of.origin.x, of.origin.y, of.origin.z};
@@ -49,7 +50,7 @@ struct CloudBlocks {
     block.origin_z = static_cast<float>(origin[order.z]);
     block.plane = {static_cast<float>(k[order.x]), static_cast<float>(k[order.y]),
                    static_cast<float>(k[order.z]), static_cast<float>(plane.w)};
-    block.gate = static_cast<float>(of.gate.fixed_m);
+    block.gate = static_cast<float>(gates * of.gate.fixed_m);
   }
 
   const RansacKernels& kernels(const RansacKernels& wished) const noexcept {

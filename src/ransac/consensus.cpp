@@ -22,9 +22,9 @@ constexpr std::uint32_t rough_part = 8, least_rough = 128;
 /// at all of the subset, and standard deviations that chance may have taken from it.
 constexpr double worth_a_look = 0.7, rough_sigmas = 2;
 
+/// A plane through three readings, which are kept in its place: few are looked at again.
 struct Hypothesis {
   Triple triple;
-  LinearPlane plane;
   bool made = false;
 };
 
@@ -37,12 +37,20 @@ struct Search {
   std::uint32_t rough_readings = 0;
   float rough_limit = 0;  ///< cost in the rough rows above which a hypothesis is not worth a look
 
-  double score(float cost) const noexcept { return static_cast<double>(subset.count) - static_cast<double>(cost); }
+  double score(float cost) const noexcept {
+    return static_cast<double>(subset.count) - static_cast<double>(cost);
+  }
 };
 
+/// False: no plane.
+bool plane_of(const Subset& subset, const Triple& triple, LinearPlane& plane) noexcept {
+  return plane_through(subset.coordinates(triple.of[0]), subset.coordinates(triple.of[1]),
+                       subset.coordinates(triple.of[2]), subset.readings.in_space(), plane);
+}
+
 /// Step 2. False: no plane.
-bool draw_hypothesis(const Subset& subset, double near_radius, Pcg32& random, Hypothesis& h) noexcept {
-  const bool in_space = subset.readings.in_space();
+bool draw_hypothesis(const Subset& subset, double near_radius, Pcg32& random, Hypothesis& h,
+                     LinearPlane& plane) noexcept {
   for (int i = 0; i < redraws; ++i) {
     if (near_radius > 0) {
       h.triple.of[0] = random.below(subset.count);
@@ -55,9 +63,7 @@ bool draw_hypothesis(const Subset& subset, double near_radius, Pcg32& random, Hy
     } else {
       h.triple = draw_three(random, subset.count);
     }
-    if (plane_through(subset.coordinates(h.triple.of[0]), subset.coordinates(h.triple.of[1]),
-                      subset.coordinates(h.triple.of[2]), in_space, h.plane))
-      return true;
+    if (plane_of(subset, h.triple, plane)) return true;
   }
   return false;
 }
@@ -104,8 +110,8 @@ double near_probability(const Search& s, const LinearPlane& best, double radius)
   return sampled == 0 ? 0 : inliers / static_cast<double>(subset.count) * (sum / sampled);
 }
 
-/// Of the readings that look first a share as large as that of all, less what chance may have taken: the least
-/// x with x + sigmas √x >= the share.
+/// Of the readings that look first a share as large as that of all, less what chance may have taken: the
+/// least x with x + sigmas √x >= the share.
 float rough_limit(const Search& s, float best_cost) noexcept {
   const double share = worth_a_look * s.score(best_cost) * s.rough_readings / s.subset.count;
   const double half = rough_sigmas / 2;
@@ -128,16 +134,16 @@ std::uint32_t accept(Search& s, std::uint32_t index) noexcept {
 
 /// Step 4, and where the plane belongs among the candidates: in place of one that is like it, of none, or of
 /// the dearest. Returns its index, or Consensus::most: nowhere.
-std::uint32_t offer(Search& s, const Hypothesis& h, float cost) noexcept {
+std::uint32_t offer(Search& s, const Candidate& drawn) noexcept {
   Consensus& found = s.found;
-  Candidate made{h.plane, h.triple, cost};
+  Candidate made = drawn;
   std::uint32_t dearest = 0, like = found.count;
   for (std::uint32_t i = 0; i < found.count; ++i) {
     if (found.candidates[i].cost > found.candidates[dearest].cost) dearest = i;
     if (alike(s.subset, made, found.candidates[i])) like = i;
   }
-  if (like < found.count && !(cost < found.candidates[like].cost)) return Consensus::most;
-  made.cost = optimise(s.subset, s.kernels, cost, made.plane);
+  if (like < found.count && !(drawn.cost < found.candidates[like].cost)) return Consensus::most;
+  made.cost = optimise(s.subset, s.kernels, drawn.cost, made.plane);
   for (std::uint32_t i = 0; like == found.count && i < found.count; ++i)
     if (alike(s.subset, made, found.candidates[i])) like = i;
   std::uint32_t at = like;
@@ -156,11 +162,13 @@ RansacEvent event_of(const Subset& subset, const Triple& triple, std::uint32_t p
 }
 
 /// Step 2 for the next sixteen hypotheses.
-void draw_batch(const Search& s, std::uint64_t first_stream, Hypothesis* batch, RansacBatch& planes) noexcept {
+void draw_batch(const Search& s, std::uint64_t first_stream, Hypothesis* batch,
+                RansacBatch& planes) noexcept {
   for (std::uint32_t h = 0; h < ransac_lanes; ++h) {
     Pcg32 random(s.options.seed, first_stream + h);
-    batch[h].made = draw_hypothesis(s.subset, s.options.near_radius, random, batch[h]);
-    const Coefficients k = coefficients(batch[h].plane);
+    LinearPlane plane;
+    batch[h].made = draw_hypothesis(s.subset, s.options.near_radius, random, batch[h], plane);
+    const Coefficients k = coefficients(plane);
     planes.x[h] = k.x;
     planes.y[h] = k.y;
     planes.z[h] = k.z;
@@ -174,15 +182,18 @@ std::uint32_t try_hypothesis(Search& s, const Hypothesis& h, float rough_cost, s
   // Step 3.
   const bool worth = rough_cost <= s.rough_limit;
   if (!worth && s.options.trace.event == nullptr) return needed;
-  const float cost = s.kernels.row_cost(s.rows, coefficients(h.plane));
-  RansacEvent event = event_of(s.subset, h.triple, plane, s.found.iterations, cost);
+  Candidate drawn{{}, h.triple, 0};
+  (void)plane_of(s.subset, h.triple, drawn.plane);
+  drawn.cost = s.kernels.row_cost(s.rows, coefficients(drawn.plane));
+  RansacEvent event = event_of(s.subset, h.triple, plane, s.found.iterations, drawn.cost);
   const double best = s.found.count == 0 ? 0 : s.score(s.found.candidates[s.found.best].cost);
-  if (worth && s.score(cost) > worth_a_look * best) {
+  if (worth && s.score(drawn.cost) > worth_a_look * best) {
     // Step 4.
     const bool first = s.found.count == 0;
-    const std::uint32_t at = offer(s, h, cost);
-    if (at < Consensus::most && (first || s.found.candidates[at].cost < s.found.candidates[s.found.best].cost ||
-                                 at == s.found.best)) {
+    const std::uint32_t at = offer(s, drawn);
+    if (at < Consensus::most &&
+        (first || s.found.candidates[at].cost < s.found.candidates[s.found.best].cost ||
+         at == s.found.best)) {
       needed = accept(s, at);
       event.best = true;
       event.inliers = s.found.inliers;
@@ -196,9 +207,14 @@ std::uint32_t try_hypothesis(Search& s, const Hypothesis& h, float rough_cost, s
 Consensus find_consensus(const Subset& subset, const RansacOptions& options, std::uint32_t plane) noexcept {
   Consensus found;
   if (subset.count < 3) return found;
-  Search s{.subset = subset, .options = options, .kernels = *options.kernels, .found = found,
-           .rows = subset.rows(), .rough = subset.rows()};
-  const std::uint32_t part = subset.count / rough_part > least_rough ? subset.count / rough_part : least_rough;
+  Search s{.subset = subset,
+           .options = options,
+           .kernels = *options.kernels,
+           .found = found,
+           .rows = subset.rows(),
+           .rough = subset.rows()};
+  const std::uint32_t part =
+      subset.count / rough_part > least_rough ? subset.count / rough_part : least_rough;
   s.rough_readings = part < subset.count ? part : subset.count;
   s.rough.count = s.rough_readings;
   s.rough_limit = static_cast<float>(s.rough_readings);

@@ -21,8 +21,8 @@ struct Candidate {
 struct Consensus {
   static constexpr std::uint32_t most = 4;
   std::array<Candidate, most> candidates;
-  std::uint32_t count = 0;  ///< of candidates; no two of them alike
-  std::uint32_t best = 0;   ///< the cheapest
+  std::uint32_t count = 0;    ///< of candidates; no two of them alike
+  std::uint32_t best = 0;     ///< the cheapest
   std::uint32_t inliers = 0;  ///< those of the best in the subset
   std::uint32_t iterations = 0;
   double probability = 0;  ///< that a hypothesis is made of inliers of the best alone

@@ -10,7 +10,7 @@ namespace straightedge::ransac {
 
 /// Some neighbouring pixels of a row, looked at where they are.
 struct FrameBlock {
-  static constexpr std::int32_t capacity = 256;
+  static constexpr std::int32_t capacity = 128;
 
   /// Pixels from a column on, as many as there are or fit.
   FrameBlock(const Readings& readings, std::int32_t first_column, std::int32_t row) noexcept;

@@ -12,8 +12,8 @@ namespace {
 struct Free {
   const float* s;
   const float* t;
-  double LinearPlane::* of_s;
-  double LinearPlane::* of_t;
+  double LinearPlane::*of_s;
+  double LinearPlane::*of_t;
 };
 
 double squared(double x) noexcept {
@@ -23,7 +23,8 @@ double squared(double x) noexcept {
 Free free_of(const Subset& subset, const LinearPlane& p) noexcept {
   const Rows rows = subset.rows();
   const double x = squared(p.x), y = squared(p.y), z = squared(p.z);
-  if (!subset.readings.in_space() || (z >= x && z >= y)) return {rows.x, rows.y, &LinearPlane::x, &LinearPlane::y};
+  if (!subset.readings.in_space() || (z >= x && z >= y))
+    return {rows.x, rows.y, &LinearPlane::x, &LinearPlane::y};
   if (y >= x) return {rows.x, rows.z, &LinearPlane::x, &LinearPlane::z};
   return {rows.y, rows.z, &LinearPlane::y, &LinearPlane::z};
 }

@@ -6,8 +6,8 @@
 
 namespace straightedge::ransac {
 
-/// Step 4: least squares of e over the inliers of a wide, a narrower and the very gate. Keeps what costs less;
-/// returns the cost.
+/// Step 4: least squares of e over the inliers of a wide, a narrower and the very gate. Keeps what costs
+/// less; returns the cost.
 float optimise(const Subset& subset, const RansacKernels& kernels, float cost, LinearPlane& plane) noexcept;
 
 }  // namespace straightedge::ransac

@@ -13,8 +13,8 @@ constexpr std::int32_t lanes = ransac_lanes;
 /// Pixels that are looked at in one go; a multiple of the lanes.
 constexpr std::int32_t chunk = 64;
 
-/// Pixels from `first` on: whether they are inliers, and their residuals. 0 for the others, and for what fills
-/// the last lanes up.
+/// Pixels from `first` on: whether they are inliers, and their residuals. 0 for the others, and for what
+/// fills the last lanes up.
 template <class Q>
 struct Inliers {
   float r[chunk];
@@ -97,8 +97,12 @@ RansacPixelSums sum(const RansacPixels<Q>& row) noexcept {
       uu += at * at;
     }
   }
-  return {static_cast<std::uint32_t>(readings), static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(u),
-          static_cast<std::uint32_t>(uu),       fold(lane.r),                  fold(lane.ur),
+  return {static_cast<std::uint32_t>(readings),
+          static_cast<std::uint32_t>(n),
+          static_cast<std::uint32_t>(u),
+          static_cast<std::uint32_t>(uu),
+          fold(lane.r),
+          fold(lane.ur),
           fold(lane.rr)};
 }
 

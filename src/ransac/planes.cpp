@@ -50,13 +50,10 @@ std::uint32_t least_inliers(const RansacOptions& o, std::uint32_t readings) noex
 
 /// Least squares over some of the readings, those of a wider gate: the subset alone leaves a plane tilted.
 LinearPlane refined(const Job& job, const LinearPlane& plane) noexcept {
-  Readings wide = job.readings;
-  wide.gate.sigmas *= contest_gates;
-  wide.gate.fixed_m *= contest_gates;
   std::uint32_t seen = 0;
   LinearPlane found;
-  const ransac::ModelSums sums =
-      ransac::Verify{wide, job.labels, *job.options.kernels}.sum_inliers(plane, contest_part, seen);
+  const ransac::Verify wide{job.readings, job.labels, *job.options.kernels, contest_gates};
+  const ransac::ModelSums sums = wide.sum_inliers(plane, contest_part, seen);
   return ransac::fit_model(sums, job.readings, found) ? found : plane;
 }
 
@@ -68,7 +65,9 @@ LinearPlane win(const Job& job, const ransac::Subset& subset, const ransac::Cons
   // Each score is a sum of numbers up to 1, so its variance is at most the score.
   const double best = score(found.best);
   const double least = best - contest_sigmas * square_root(2 * best);
-  const auto inliers_of = [&](const LinearPlane& plane) { return job.verify().count_inliers(plane, contest_part); };
+  const auto inliers_of = [&](const LinearPlane& plane) {
+    return job.verify().count_inliers(plane, contest_part);
+  };
   LinearPlane winner = refined(job, found.candidates[found.best].plane);
   std::uint32_t most = 0;
   for (std::uint32_t i = 0; i < found.count; ++i) {
@@ -102,20 +101,11 @@ bool verify(Job& job, const LinearPlane& plane, FoundPlane& found) noexcept {
   return false;
 }
 
-/// Steps 1 to 7 once. False: the search is over.
-bool next_plane(Job& job) noexcept {
+/// Steps 6 and 7. False: no plane, or no room for it. A function of its own, whose memory on the stack is
+/// free while the search lasts.
+[[gnu::noinline]] bool settle(Job& job, const ransac::Subset& subset,
+                              const ransac::Consensus& best) noexcept {
   PlanesFound& total = job.result.found;
-  // Step 1.
-  ransac::Subset subset{job.readings, job.memory};
-  ransac::draw_subset(subset, job.labels, job.options, job.left, subset_stream(total.planes));
-  // Steps 2 to 5.
-  const ransac::Consensus best = ransac::find_consensus(subset, job.options, total.planes);
-  total.iterations += best.iterations;
-  if (best.cancelled) {
-    job.result.status = Status::cancelled;
-    return false;
-  }
-  // Steps 6 and 7.
   FoundPlane found;
   if (best.inliers < 3 || !verify(job, win(job, subset, best), found)) return false;
   if (total.planes == job.out.size()) {
@@ -130,6 +120,19 @@ bool next_plane(Job& job) noexcept {
   total.labelled += found.inliers;
   job.left -= found.inliers;
   return true;
+}
+
+/// Steps 1 to 7 once. False: the search is over.
+[[gnu::noinline]] bool next_plane(Job& job) noexcept {
+  const std::uint32_t number = job.result.found.planes;
+  // Step 1.
+  ransac::Subset subset{job.readings, job.memory};
+  ransac::draw_subset(subset, job.labels, job.options, job.left, subset_stream(number));
+  // Steps 2 to 5.
+  const ransac::Consensus best = ransac::find_consensus(subset, job.options, number);
+  job.result.found.iterations += best.iterations;
+  if (best.cancelled) job.result.status = Status::cancelled;
+  return !best.cancelled && settle(job, subset, best);
 }
 
 void refit(Job& job, std::span<FoundPlane> planes) noexcept {
@@ -241,7 +244,7 @@ RansacPlanesResult RansacPlanes::run(ImageView<const float> inverse_depth, const
   Readings readings;
   readings.frame = inverse_depth;
   readings.camera = camera;
-  return run(readings, out, labels);
+  return find(readings, out, labels);
 }
 
 RansacPlanesResult RansacPlanes::run(const DepthView& depth, std::span<FoundPlane> out,
@@ -254,11 +257,11 @@ RansacPlanesResult RansacPlanes::run(const DepthView& depth, std::span<FoundPlan
   readings.raw = depth.raw;
   readings.scale = static_cast<float>(units_per_metre);
   readings.camera = depth.camera;
-  return run(readings, out, labels);
+  return find(readings, out, labels);
 }
 
-RansacPlanesResult RansacPlanes::run(ransac::Readings& readings, std::span<FoundPlane> out,
-                                     ImageView<std::uint16_t> labels) noexcept {
+RansacPlanesResult RansacPlanes::find(ransac::Readings& readings, std::span<FoundPlane> out,
+                                      ImageView<std::uint16_t> labels) noexcept {
   const bool labelled = labels.data != nullptr;
   if (labelled && !labels.valid()) return refused(Status::invalid_image);
   const Size size = readings.size();

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int32_t lanes = ransac_lanes;
 /// Points that are looked at in one go; a multiple of the lanes.
-constexpr std::int32_t chunk = 64;
+constexpr std::int32_t chunk = 32;
 
 float only(float number, std::int32_t mask) noexcept {
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(number) & mask);
@@ -30,7 +30,8 @@ struct Inliers {
     if (p.step == 1 && labels == nullptr) {
       look<true>(p, px, py, pz, [](std::int32_t) { return -1; });
     } else {
-      look<false>(p, px, py, pz, [&](std::int32_t i) { return labels == nullptr || labels[i] == 0 ? -1 : 0; });
+      look<false>(p, px, py, pz,
+                  [&](std::int32_t i) { return labels == nullptr || labels[i] == 0 ? -1 : 0; });
     }
     for (std::int32_t i = count; i % lanes != 0; ++i) x[i] = y[i] = r[i] = 0;
   }

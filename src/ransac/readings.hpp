@@ -29,13 +29,14 @@ struct LinearPlane {
 
 /// A depth frame or a cloud as numbered readings.
 struct Readings {
-  ImageView<const float> frame;        ///< with data: a frame of 1/z
-  ImageView<const std::uint16_t> raw;  ///< with data: a frame of depth as the sensor gives it, 1/z = scale / raw
+  ImageView<const float> frame;  ///< with data: a frame of 1/z
+  ImageView<const std::uint16_t>
+      raw;  ///< with data: a frame of depth as the sensor gives it, 1/z = scale / raw
   float scale = 1;
   PinholeCamera camera;  ///< of the frame; of rays for a cloud
   PointsView points;
   PlaneGate gate;
-  Vector3 origin;  ///< of a cloud with a gate in metres: floats resolve what is near it
+  Vector3 origin;                       ///< of a cloud with a gate in metres: floats resolve what is near it
   detail::CloudBlock* block = nullptr;  ///< for such a cloud, unless all of its points are readings
 
   bool is_raw() const noexcept { return raw.data != nullptr; }
@@ -46,12 +47,12 @@ struct Readings {
     return is_frame() ? static_cast<std::uint32_t>(size().width) * static_cast<std::uint32_t>(size().height)
                       : static_cast<std::uint32_t>(points.count);
   }
-  /// The gate of a frame's pixels: in 1/z, or along z, whichever is more.
-  float constant() const noexcept {
-    return static_cast<float>(gate.fixed_m > 0 ? 0 : gate.sigmas * gate.inverse_sigma);
+  /// So many gates of a frame's pixels: in 1/z, or along z, whichever is more.
+  float constant(double gates = 1) const noexcept {
+    return static_cast<float>(gate.fixed_m > 0 ? 0 : gates * gate.sigmas * gate.inverse_sigma);
   }
-  float metres() const noexcept {
-    return static_cast<float>(gate.fixed_m > 0 ? gate.fixed_m : gate.sigmas * gate.floor_m);
+  float metres(double gates = 1) const noexcept {
+    return static_cast<float>(gates * (gate.fixed_m > 0 ? gate.fixed_m : gate.sigmas * gate.floor_m));
   }
   float inverse_at(std::int32_t u, std::int32_t v) const noexcept {
     return is_raw() ? inverse_of(raw.at(u, v), scale) : frame.at(u, v);

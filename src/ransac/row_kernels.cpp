@@ -10,7 +10,8 @@ namespace {
 constexpr std::uint32_t lanes = ransac_lanes;
 
 /// Four planes of a batch: as many as a plain processor keeps in its registers.
-void quad_costs(const RansacRows& rows, const RansacBatch& planes, std::uint32_t first, float* costs) noexcept {
+void quad_costs(const RansacRows& rows, const RansacBatch& planes, std::uint32_t first,
+                float* costs) noexcept {
   const float *kx = planes.x + first, *ky = planes.y + first, *kz = planes.z + first, *kw = planes.w + first;
   float s[4] = {0, 0, 0, 0};
   for (std::uint32_t i = 0; i < rows.count; ++i) {
@@ -25,15 +26,15 @@ void quad_costs(const RansacRows& rows, const RansacBatch& planes, std::uint32_t
 }
 
 /// Rows that are looked at in one go.
-constexpr std::uint32_t chunk = 64;
+constexpr std::uint32_t chunk = 32;
 
 /// Rows from `first` on as they count in the sums: zeros beyond the limit.
 struct Inliers {
   float s[chunk], t[chunk], w[chunk], e[chunk];
   std::uint32_t count;
 
-  Inliers(const RansacRows& rows, const RansacCoefficients& k, const float* of_s, const float* of_t, float limit,
-          std::uint32_t first) noexcept
+  Inliers(const RansacRows& rows, const RansacCoefficients& k, const float* of_s, const float* of_t,
+          float limit, std::uint32_t first) noexcept
       : count(rows.count - first < chunk ? rows.count - first : chunk) {
     const float *x = rows.x + first, *y = rows.y + first, *z = rows.z + first, *v = rows.w + first;
     const float *p = of_s + first, *q = of_t + first;

@@ -8,7 +8,8 @@
 
 namespace straightedge::ransac {
 
-/// Residuals in units of the gate: 1 is the border between inlier and outlier for every kind of input and gate.
+/// Residuals in units of the gate: 1 is the border between inlier and outlier for every kind of input and
+/// gate.
 using Rows = RansacRows;
 using Coefficients = RansacCoefficients;
 

@@ -80,15 +80,33 @@ struct Squares {
     return true;
   }
 
-  /// From a pixel drawn by chance on, one by one and round again, the first of `most` that is free.
-  void draw(std::int32_t u0, std::int32_t v0, std::int32_t most, Pcg32& random) noexcept {
-    const std::int32_t width = frame.width - u0 < side ? frame.width - u0 : side;
-    const std::int32_t height = frame.height - v0 < side ? frame.height - v0 : side;
-    const std::int32_t pixels = width * height;
-    const auto at = static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(pixels)));
-    std::int32_t v = at / width, u = at - v * width;
-    for (std::int32_t tried = 0; tried < pixels && tried < most; ++tried) {
-      if (take(u0 + u, v0 + v)) return;
+  struct Drawn {
+    std::int32_t u0, v0, at;  ///< the square's corner, and a pixel of it
+  };
+
+  std::int32_t width_at(std::int32_t u0) const noexcept {
+    return frame.width - u0 < side ? frame.width - u0 : side;
+  }
+  std::int32_t height_at(std::int32_t v0) const noexcept {
+    return frame.height - v0 < side ? frame.height - v0 : side;
+  }
+
+  Drawn draw(std::int32_t u0, std::int32_t v0, Pcg32& random) const noexcept {
+    const std::int32_t width = width_at(u0);
+    const auto at =
+        static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(width * height_at(v0))));
+    // Pixels drawn lie far apart: all of a turn are on their way before the first is looked at.
+    const std::int32_t v = at / width;
+    __builtin_prefetch(frame.row(v0 + v) + u0 + (at - v * width));
+    return {u0, v0, at};
+  }
+
+  /// From a pixel drawn on, one by one and round again, the first of `most` that is free.
+  void take(const Drawn& drawn, std::int32_t most) noexcept {
+    const std::int32_t width = width_at(drawn.u0), height = height_at(drawn.v0);
+    std::int32_t v = drawn.at / width, u = drawn.at - v * width;
+    for (std::int32_t tried = 0; tried < width * height && tried < most; ++tried) {
+      if (take(drawn.u0 + u, drawn.v0 + v)) return;
       if (++u < width) continue;
       u = 0;
       v = v + 1 < height ? v + 1 : 0;
@@ -97,11 +115,23 @@ struct Squares {
 
   void draw_all(std::int32_t most, Pcg32& random) noexcept {
     constexpr auto all = static_cast<std::int32_t>(turns);
+    constexpr std::size_t ahead = 64;
+    Drawn waiting[ahead];
+    std::size_t count = 0;
+    const auto take_waiting = [&] {
+      for (std::size_t i = 0; i < count; ++i) take(waiting[i], most);
+      count = 0;
+    };
     for (std::int32_t turn = 0; turn < all; ++turn) {
       std::int32_t first = turn;
-      for (std::int32_t v = 0; v < frame.height; v += side, first = (first + 3) % all)
-        for (std::int32_t u = first * side; u < frame.width; u += all * side) draw(u, v, most, random);
+      for (std::int32_t v = 0; v < frame.height; v += side, first = (first + 3) % all) {
+        for (std::int32_t u = first * side; u < frame.width; u += all * side) {
+          waiting[count++] = draw(u, v, random);
+          if (count == ahead) take_waiting();
+        }
+      }
     }
+    take_waiting();
   }
 };
 
@@ -148,7 +178,8 @@ void draw_from_cloud(Subset& subset, const Labels& labels, std::uint32_t left, s
     } else {
       while (!labels.free(i, 0) || !readings.read(i, r) || passed++ != wanted) ++i;
     }
-    put(subset, runs.place_of(part++), i++, floats_of({r.x, r.y, r.z}), static_cast<float>(r.w), floats_of(r.place));
+    put(subset, runs.place_of(part++), i++, floats_of({r.x, r.y, r.z}), static_cast<float>(r.w),
+        floats_of(r.place));
   }
 }
 

@@ -29,9 +29,10 @@ struct Subset {
   }
 };
 
-/// Step 1, of a cloud with so many readings left. One by chance of each of at most options.subset equal parts of the readings with label 0: squares of a
-/// frame's pixels, runs of a cloud's readings. Every eighth part comes first, then every eighth beside these,
-/// and so on: the first readings are spread over everything, as all of them are.
+/// Step 1, of a cloud with so many readings left. One by chance of each of at most options.subset equal parts
+/// of the readings with label 0: squares of a frame's pixels, runs of a cloud's readings. Every eighth part
+/// comes first, then every eighth beside these, and so on: the first readings are spread over everything, as
+/// all of them are.
 void draw_subset(Subset& subset, const Labels& labels, const RansacOptions& options, std::uint32_t left,
                  std::uint64_t stream) noexcept;
 

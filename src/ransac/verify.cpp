@@ -88,9 +88,9 @@ PlaneMoments in_axes(const SpaceSums& s, const RansacCoefficients& plane, const 
   return m;
 }
 
-bool within(const LinearPlane& plane, const Reading& r) noexcept {
+bool within(const LinearPlane& plane, const Reading& r, double gates) noexcept {
   const double e = plane.at(r) * r.w;
-  return e * e < 1;
+  return e * e < gates * gates;
 }
 
 float away(float residual) noexcept {
@@ -131,27 +131,30 @@ std::uint32_t label_points(const RansacPoints& p, std::uint16_t label, std::uint
 }  // namespace
 
 template <class Q>
-ModelSums Verify::sum_frame(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept {
+ModelSums Verify::sum_frame(const LinearPlane& plane, std::uint32_t part,
+                            std::uint32_t& seen) const noexcept {
   InverseDepthMoments m;
   const auto rows = static_cast<std::int32_t>(part);
-  for_pixels<Q>(readings, labels, plane, rows, [&](const RansacPixels<Q>& row, std::int32_t u, std::int32_t v) {
-    RansacPixelSums s;
-    if constexpr (sizeof(Q) == sizeof(float)) {
-      s = kernels.inverse.sum(row);
-    } else {
-      s = kernels.raw.sum(row);
-    }
-    seen += s.readings;
-    if (s.n > 0) add_row(m, s, u, v);
-  });
+  for_pixels<Q>(readings, labels, plane, gates, rows,
+                [&](const RansacPixels<Q>& row, std::int32_t u, std::int32_t v) {
+                  RansacPixelSums s;
+                  if constexpr (sizeof(Q) == sizeof(float)) {
+                    s = kernels.inverse.sum(row);
+                  } else {
+                    s = kernels.raw.sum(row);
+                  }
+                  seen += s.readings;
+                  if (s.n > 0) add_row(m, s, u, v);
+                });
   ModelSums sums;
   sums.inverse = with_plane(m, plane);
   return sums;
 }
 
-ModelSums Verify::sum_space(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept {
+ModelSums Verify::sum_space(const LinearPlane& plane, std::uint32_t part,
+                            std::uint32_t& seen) const noexcept {
   const AxisOrder order = axis_order(plane);
-  CloudBlocks blocks(readings, labels, plane, order);
+  CloudBlocks blocks(readings, labels, plane, order, gates);
   SpaceSums s;
   blocks.for_each(part, [&](const RansacPoints& block) {
     const RansacPointSums some = blocks.kernels(kernels).sum_points(block);
@@ -168,12 +171,13 @@ ModelSums Verify::sum_rays(const LinearPlane& plane, std::uint32_t part, std::ui
   Reading r;
   for (std::uint32_t i = 0; i < readings.count(); ++i) {
     if (!labels.free(i, 0) || !readings.read(i, r) || seen++ % part != 0) continue;
-    if (within(plane, r)) sums.add(r, false);
+    if (within(plane, r, gates)) sums.add(r, false);
   }
   return sums;
 }
 
-ModelSums Verify::sum_inliers(const LinearPlane& plane, std::uint32_t part, std::uint32_t& seen) const noexcept {
+ModelSums Verify::sum_inliers(const LinearPlane& plane, std::uint32_t part,
+                              std::uint32_t& seen) const noexcept {
   seen = 0;
   if (readings.is_raw()) return sum_frame<std::uint16_t>(plane, part, seen);
   if (readings.is_frame()) return sum_frame<float>(plane, part, seen);
@@ -184,19 +188,20 @@ std::uint32_t Verify::count_inliers(const LinearPlane& plane, std::uint32_t part
   std::uint32_t found = 0;
   const auto rows = static_cast<std::int32_t>(part);
   if (readings.is_raw()) {
-    for_pixels<std::uint16_t>(readings, labels, plane, rows,
+    for_pixels<std::uint16_t>(readings, labels, plane, gates, rows,
                               [&](const auto& row, auto, auto) { found += kernels.raw.count(row); });
   } else if (readings.is_frame()) {
-    for_pixels<float>(readings, labels, plane, rows,
+    for_pixels<float>(readings, labels, plane, gates, rows,
                       [&](const auto& row, auto, auto) { found += kernels.inverse.count(row); });
   } else if (readings.in_space()) {
-    CloudBlocks blocks(readings, labels, plane, axis_order(plane));
+    CloudBlocks blocks(readings, labels, plane, axis_order(plane), gates);
     blocks.for_each(part, [&](const auto& block) { found += blocks.kernels(kernels).count_points(block); });
   } else {
     Reading r;
     std::uint32_t seen = 0;
     for (std::uint32_t i = 0; i < readings.count(); ++i)
-      found += labels.free(i, 0) && readings.read(i, r) && seen++ % part == 0 && within(plane, r) ? 1U : 0U;
+      found +=
+          labels.free(i, 0) && readings.read(i, r) && seen++ % part == 0 && within(plane, r, gates) ? 1U : 0U;
   }
   return found;
 }
@@ -207,11 +212,11 @@ std::uint32_t Verify::label_inliers(const LinearPlane& plane, std::uint16_t labe
     found += label_pixels(row, label, labels.row(static_cast<std::size_t>(v)) + u);
   };
   if (readings.is_raw()) {
-    for_pixels<std::uint16_t>(readings, labels, plane, 1, in_row);
+    for_pixels<std::uint16_t>(readings, labels, plane, gates, 1, in_row);
   } else if (readings.is_frame()) {
-    for_pixels<float>(readings, labels, plane, 1, in_row);
+    for_pixels<float>(readings, labels, plane, gates, 1, in_row);
   } else if (readings.in_space()) {
-    CloudBlocks blocks(readings, labels, plane, axis_order(plane));
+    CloudBlocks blocks(readings, labels, plane, axis_order(plane), gates);
     blocks.for_each(1, [&](const RansacPoints& block) {
       found += label_points(block, label, const_cast<std::uint16_t*>(block.labels));
       const detail::CloudBlock* const from = readings.block;
@@ -221,7 +226,7 @@ std::uint32_t Verify::label_inliers(const LinearPlane& plane, std::uint16_t labe
   } else {
     Reading r;
     for (std::uint32_t i = 0; i < readings.count(); ++i) {
-      if (!labels.free(i, 0) || !readings.read(i, r) || !within(plane, r)) continue;
+      if (!labels.free(i, 0) || !readings.read(i, r) || !within(plane, r, gates)) continue;
       labels.data[i] = label;
       ++found;
     }
@@ -234,11 +239,9 @@ std::uint32_t Verify::count_free() const noexcept {
   if (readings.is_frame()) {
     (void)sum_inliers({}, 1, seen);
   } else if (readings.in_space()) {
-    CloudBlocks blocks(readings, labels, {}, {});
-    blocks.block.gate = 0;  // nothing is nearer than not at all
-    blocks.for_each(1, [&](const RansacPoints& block) {
-      seen += blocks.kernels(kernels).sum_points(block).readings;
-    });
+    CloudBlocks blocks(readings, labels, {}, {}, 0);  // nothing is nearer than not at all
+    blocks.for_each(
+        1, [&](const RansacPoints& block) { seen += blocks.kernels(kernels).sum_points(block).readings; });
   } else {
     Reading r;
     for (std::uint32_t i = 0; i < readings.count(); ++i)

@@ -15,6 +15,7 @@ struct Verify {
   const Readings& readings;
   const Labels& labels;
   const RansacKernels& kernels;
+  double gates = 1;  ///< how many gates are within
 
   // `part`: looks at every so-manieth row of a frame, block of a cloud.
 

@@ -53,7 +53,8 @@ TEST_CASE("Raw depth gives the bits of the picture of 1/z", "[ransac][laws]") {
       std::vector<FoundPlane> of_raw(8), of_inverse(8);
       std::vector<std::uint16_t> raw_labels(frame.raw.size(), 7), inverse_labels(frame.raw.size(), 9);
       const auto a = ransac.run(frame.depth(), of_raw, {raw_labels.data(), scene::size});
-      const auto b = ransac.run(frame.inverse_view(), scene::camera, of_inverse, {inverse_labels.data(), scene::size});
+      const auto b =
+          ransac.run(frame.inverse_view(), scene::camera, of_inverse, {inverse_labels.data(), scene::size});
       check_same(a, b);
       REQUIRE(a.found.planes > 0);
       CHECK(raw_labels == inverse_labels);
@@ -74,7 +75,8 @@ TEST_CASE("Who asks for no labels gets the same plane", "[ransac][laws]") {
     RansacPlanes ransac = scene::prepared(frame.raw.size(), {}, workspace);
     std::vector<FoundPlane> with(1), without(1);
     std::vector<std::uint16_t> labels(frame.raw.size(), 7);
-    check_same(ransac.run(frame.depth(), with, {labels.data(), scene::size}), ransac.run(frame.depth(), without, {}));
+    check_same(ransac.run(frame.depth(), with, {labels.data(), scene::size}),
+               ransac.run(frame.depth(), without, {}));
     CHECK(with[0].fit.covariance == without[0].fit.covariance);
     CHECK(with[0].inliers == without[0].inliers);
     std::uint32_t labelled = 0;

@@ -37,7 +37,8 @@ bool same(float a, float b) {
 
 std::vector<std::uint16_t> labels_by_chance(std::size_t count, Pcg32& random) {
   std::vector<std::uint16_t> labels(count);
-  for (auto& label : labels) label = random.below(3) == 0 ? static_cast<std::uint16_t>(random.below(65536)) : 0;
+  for (auto& label : labels)
+    label = random.below(3) == 0 ? static_cast<std::uint16_t>(random.below(65536)) : 0;
   return labels;
 }
 
@@ -108,13 +109,17 @@ void check_pixels(const RansacKernels::Pixels<Q>& kernels, const RansacKernels::
   REQUIRE(oracle.count(row) == a.n);
 }
 
-void check_points(const RansacKernels& kernels, const std::vector<float>& with, std::size_t count, Pcg32& random) {
+void check_points(const RansacKernels& kernels, const std::vector<float>& with, std::size_t count,
+                  Pcg32& random) {
   const std::size_t step = random.below(2) == 0 ? 1 : 2 + random.below(6);
   std::vector<float> axis[3];
   for (auto& a : axis)
     for (std::size_t i = 0; i < count * step; ++i) a.push_back(one_of(random, with));
   const auto labels = labels_by_chance(count, random);
-  RansacPoints p{axis[0].data(), axis[1].data(), axis[2].data()};
+  RansacPoints p;
+  p.x = axis[0].data();
+  p.y = axis[1].data();
+  p.z = axis[2].data();
   p.labels = random.below(2) == 0 ? labels.data() : nullptr;
   p.count = static_cast<std::int32_t>(count);
   p.step = static_cast<std::ptrdiff_t>(step);
@@ -126,9 +131,9 @@ void check_points(const RansacKernels& kernels, const std::vector<float>& with, 
   const RansacPointSums a = plain.sum_points(p), b = kernels.sum_points(p);
   REQUIRE(a.readings == b.readings);
   REQUIRE(a.n == b.n);
-  for (const auto member :
-       {&RansacPointSums::x, &RansacPointSums::y, &RansacPointSums::xx, &RansacPointSums::xy, &RansacPointSums::yy,
-        &RansacPointSums::r, &RansacPointSums::xr, &RansacPointSums::yr, &RansacPointSums::rr})
+  for (const auto member : {&RansacPointSums::x, &RansacPointSums::y, &RansacPointSums::xx,
+                            &RansacPointSums::xy, &RansacPointSums::yy, &RansacPointSums::r,
+                            &RansacPointSums::xr, &RansacPointSums::yr, &RansacPointSums::rr})
     REQUIRE(same(a.*member, b.*member));
   REQUIRE(kernels.count_points(p) == a.n);
   REQUIRE(plain.count_points(p) == a.n);
@@ -156,7 +161,9 @@ TEST_CASE("Every set of kernels: pixels equal the plain ones", "[ransac]") {
       std::vector<float> near(count), wild(count);
       for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t kind = random.below(5);
-        raw[i] = static_cast<std::uint16_t>(kind == 0 ? 0 : kind == 1 ? random.below(65536) : 900 + random.below(300));
+        raw[i] = static_cast<std::uint16_t>(kind == 0   ? 0
+                                            : kind == 1 ? random.below(65536)
+                                                        : 900 + random.below(300));
         near[i] = one_of(random, no_extremes);
         wild[i] = one_of(random, extremes);
       }

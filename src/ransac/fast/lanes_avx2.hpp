@@ -40,9 +40,7 @@ struct Floats {
   Mask operator==(Floats b) const noexcept { return {_mm256_cmp_ps(v, b.v, _CMP_EQ_OQ)}; }
   Floats magnitude() const noexcept { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0F), v)}; }
   /// The sum in the lanes that are in the mask.
-  Floats plus(Floats b, Mask mask) const noexcept {
-    return {_mm256_add_ps(v, _mm256_and_ps(mask.v, b.v))};
-  }
+  Floats plus(Floats b, Mask mask) const noexcept { return {_mm256_add_ps(v, _mm256_and_ps(mask.v, b.v))}; }
   /// 0 in the lanes that are not in the mask.
   Floats where(Mask mask) const noexcept { return {_mm256_and_ps(mask.v, v)}; }
 };
@@ -80,8 +78,8 @@ inline float fold(const float* sums) noexcept {
 }
 /// The same of whole numbers.
 inline std::uint32_t fold_whole(const float* sums) noexcept {
-  const __m256i eight =
-      _mm256_add_epi32(_mm256_cvtps_epi32(_mm256_load_ps(sums)), _mm256_cvtps_epi32(_mm256_load_ps(sums + 8)));
+  const __m256i eight = _mm256_add_epi32(_mm256_cvtps_epi32(_mm256_load_ps(sums)),
+                                         _mm256_cvtps_epi32(_mm256_load_ps(sums + 8)));
   const __m128i four = _mm_add_epi32(_mm256_castsi256_si128(eight), _mm256_extracti128_si256(eight, 1));
   const __m128i two = _mm_add_epi32(four, _mm_shuffle_epi32(four, 0x4E));
   return static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_add_epi32(two, _mm_shuffle_epi32(two, 0xB1))));

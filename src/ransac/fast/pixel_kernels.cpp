@@ -98,7 +98,8 @@ void for_groups(const RansacPixels<Q>& row, std::int32_t first, Visit visit) noe
   }
   if (whole == row.count) return;
   const Tail<Q> tail(row, whole);
-  const Floats::Mask inside = look.at(tail.pixels + first, u, some, r), free = unlabelled(tail.labels + first);
+  const Floats::Mask inside = look.at(tail.pixels + first, u, some, r),
+                     free = unlabelled(tail.labels + first);
   visit(both(inside, free), both(some, free), u, r);
 }
 
@@ -131,7 +132,8 @@ template <class Q>
 std::uint32_t count(const RansacPixels<Q>& row) noexcept {
   std::uint32_t n = 0;
   for (std::int32_t first = 0; first < lanes; first += width)
-    for_groups(row, first, [&](Floats::Mask inside, Floats::Mask, Floats, Floats) noexcept { n += count_of(inside); });
+    for_groups(row, first,
+               [&](Floats::Mask inside, Floats::Mask, Floats, Floats) noexcept { n += count_of(inside); });
   return n;
 }
 
