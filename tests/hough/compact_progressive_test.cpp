@@ -216,7 +216,7 @@ TEST_CASE("pixels that vote ahead are nowhere to be seen when the output is full
     HoughOptions options = short_lines(seed % 2 == 0 ? HoughGenerator::opencv : HoughGenerator::pcg32);
     options.seed = seed;
     INFO("seed " << seed);
-    std::vector<HoughSegment> segments(seed % 7);
+    std::vector<HoughSegment> segments(static_cast<std::size_t>(seed % 7));
     std::vector<std::byte> memory(HoughLines::workspace_bytes(image.size(), options));
     HoughLines one_by_one;
     REQUIRE(HoughLines::prepare(one_by_one, image.size(), options, memory) == Status::ok);

@@ -111,7 +111,7 @@ TEST_CASE("a scan is sorted like any cloud, and pieces of it make the same tree"
     for (std::uint32_t i = 0; i < order.size(); ++i) REQUIRE(whole.octree.point(i).index == order[i]);
 
     for (std::size_t begin = 0; begin < points.size();) {
-      const std::size_t end = std::min(points.size(), begin + 1 + random.below(500));
+      const std::size_t end = std::min<std::size_t>(points.size(), begin + 1 + random.below(500));
       REQUIRE(pieces.octree.insert(columns.view(begin, end)).status == Status::ok);
       begin = end;
     }
