@@ -84,9 +84,8 @@ struct RansacPlanesMemory {
 ///   4. What is good enough is optimised locally: least squares of e over its inliers, the gate from twice as
 ///      wide to the very one. The four cheapest planes stay, no two of them alike.
 ///   5. Stop when draws_needed says so for the inliers of the best, or at max_iterations. With near_radius
-///   the
-///      probability of a good triple is the mean over first readings of k_i (k_i−1) / (m_i (m_i−1)), m_i the
-///      readings near number i and k_i the inliers among them, taken over 64 of the inliers.
+///      the probability of a good triple is the mean over first readings of k_i (k_i−1) / (m_i (m_i−1)),
+///      m_i the readings near number i and k_i the inliers among them, taken over 64 of the inliers.
 ///   6. Contest: planes that the subset cannot tell from the best are refitted to an eighth of all readings,
 ///      those of twice the gate; the one with most inliers there wins.
 ///   7. Verify: all readings within the gate, refit to them, count again. Below min_inliers or min_share the

@@ -115,8 +115,10 @@ TEST_CASE("a depth frame gives a page with every stage of ransac") {
   const TemporaryFolder folder;
   const auto depth = corner_of_room();
   const auto page = explain_and_check(view_of(depth), options_of(PlaneMethod::ransac), folder / "out");
-  CHECK(page.pictures == with(common_pictures, {"window.png", "first-triple.png", "best-triple.png",
-                                                "refitted.png", "hypotheses.png", "boxes.png"}));
+  auto pictures =
+      with(common_pictures, {"window.png", "best-triple.png", "refitted.png", "hypotheses.png", "boxes.png"});
+  if (page.facts.at("window-best") != "1") pictures.insert("first-triple.png");
+  CHECK(page.pictures == pictures);
   CHECK(page.facts.at("method") == "ransac");
   CHECK(page.facts.at("input") == "corner.png");
   CHECK(page.text.find("straightedge 9.8") != std::string::npos);

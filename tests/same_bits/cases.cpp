@@ -8,20 +8,31 @@
 namespace same_bits {
 namespace {
 
-struct KernelSet {
-  const char* name;
-  const straightedge::CannyRowKernels& canny_rows;
-  bool runs_here;
-};
-
 template <class Run>
 void for_each_set(Run run) noexcept {
   using namespace straightedge;
-  run(KernelSet{"plain", plain_canny_row_kernels, true});
+  run(Kernels{.name = "plain", .runs_here = true});
 #if defined(__x86_64__)
-  run(KernelSet{"sse2", sse2_canny_row_kernels, true});
-  run(KernelSet{"avx2", avx2_canny_row_kernels, detail::has_avx2()});
-  run(KernelSet{"avx512", avx512_canny_row_kernels, detail::has_avx512()});
+  run(Kernels{.name = "sse2",
+              .runs_here = true,
+              .canny_rows = &sse2_canny_row_kernels,
+              .hough = &plain_hough_kernels});
+  run(Kernels{.name = "avx2",
+              .runs_here = detail::has_avx2(),
+              .canny_rows = &avx2_canny_row_kernels,
+              .hough = &avx2_hough_kernels,
+              .ransac = &avx2_ransac_kernels,
+              .depth = &avx2_depth_kernels,
+              .plane_search = &avx2_plane_search_kernels,
+              .hough_patches = &avx2_hough_patch_kernels});
+  run(Kernels{.name = "avx512",
+              .runs_here = detail::has_avx512(),
+              .canny_rows = &avx512_canny_row_kernels,
+              .hough = &avx512_hough_kernels,
+              .ransac = &avx512_ransac_kernels,
+              .depth = &avx512_depth_kernels,
+              .plane_search = &avx512_plane_search_kernels,
+              .hough_patches = &avx512_hough_patch_kernels});
 #endif
 }
 
@@ -31,7 +42,7 @@ void run_cases(Write write) noexcept {
   const Report report(write);
   write("build " SAME_BITS_BUILD "\n");
   make_inputs();
-  for_each_set([&](const KernelSet& kernels) noexcept {
+  for_each_set([&](const Kernels& kernels) noexcept {
     if (!kernels.runs_here) return;
     write("kernels ");
     write(kernels.name);
@@ -39,16 +50,16 @@ void run_cases(Write write) noexcept {
     number_cases(report);
     canny_stage_cases(report);
     canny_cases(report);
-    canny_row_cases(report, kernels.canny_rows);
-    hough_line_cases(report);
+    canny_row_cases(report, *kernels.canny_rows);
+    hough_line_cases(report, kernels);
     line_fit_cases(report);
     plane_fit_cases(report);
     hough_direction_cases(report);
     hough_plane_cases(report);
-    hough_patch_cases(report);
-    ransac_cases(report);
-    ransac_search_cases(report);
-    frame_plane_cases(report);
+    hough_patch_cases(report, kernels);
+    ransac_cases(report, kernels);
+    ransac_search_cases(report, kernels);
+    frame_plane_cases(report, kernels);
     octree_cases(report);
   });
 }

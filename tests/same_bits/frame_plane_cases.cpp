@@ -29,12 +29,12 @@ SAME_BITS_LARGE std::array<std::uint16_t, pixels> labels;
 SAME_BITS_LARGE std::array<FoundPlane, 64> planes;
 
 void rows_of(const Report& report, const DepthView& depth, const PlaneSearch& search,
-             std::span<std::byte> memory, const char* name) noexcept {
+             const FramePlanesOptions& options, std::span<std::byte> memory, const char* name) noexcept {
   const ImageView<std::uint16_t> label_view(labels.data(), depth_size);
   FramePlanes frame;
   PlanesFound found;
   Hash cells, planes_hash, labels_hash;
-  planes_hash.add(frame.prepare(depth_size, frame_options, memory));
+  planes_hash.add(frame.prepare(depth_size, options, memory));
   planes_hash.add(frame.run(depth, search, label_view, planes, found), found);
   planes_hash.add(std::span<const FoundPlane>(planes).first(found.planes));
   for (int level = 0; level < DepthCells::levels; ++level) cells.add(frame.cell_labels(level));
@@ -46,17 +46,23 @@ void rows_of(const Report& report, const DepthView& depth, const PlaneSearch& se
 
 }  // namespace
 
-void frame_plane_cases(const Report& report) noexcept {
+void frame_plane_cases(const Report& report, const Kernels& kernels) noexcept {
+  FramePlanesOptions frame = frame_options;
+  frame.kernels = kernels.depth;
+  RansacSearchOptions ransac_search = ransac_options;
+  ransac_search.kernels = kernels.plane_search;
+  HoughPatchOptions hough_search = hough_options;
+  hough_search.kernels = kernels.hough_patches;
   RansacSearch ransac;
   HoughPatchSearch hough;
   Hash ready;
   std::span<std::byte> memory = workspace();
-  ready.add(RansacSearch::prepare(ransac, depth_size, ransac_options, memory.subspan(frame_bytes)));
-  rows_of(report, depth_picture(), plane_search(ransac), memory.first(frame_bytes), "ransac");
-  rows_of(report, blank_depth(), plane_search(ransac), memory.first(frame_bytes), "blank");
+  ready.add(RansacSearch::prepare(ransac, depth_size, ransac_search, memory.subspan(frame_bytes)));
+  rows_of(report, depth_picture(), plane_search(ransac), frame, memory.first(frame_bytes), "ransac");
+  rows_of(report, blank_depth(), plane_search(ransac), frame, memory.first(frame_bytes), "blank");
   memory = workspace();
-  ready.add(HoughPatchSearch::prepare(hough, depth_size, hough_options, memory.subspan(frame_bytes)));
-  rows_of(report, depth_picture(), plane_search(hough), memory.first(frame_bytes), "hough");
+  ready.add(HoughPatchSearch::prepare(hough, depth_size, hough_search, memory.subspan(frame_bytes)));
+  rows_of(report, depth_picture(), plane_search(hough), frame, memory.first(frame_bytes), "hough");
   report.row({"frame_planes.prepare"}, ready);
 }
 

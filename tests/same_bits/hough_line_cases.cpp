@@ -74,10 +74,13 @@ static_assert(EdgeScene::bytes + most_bytes() <= most_workspace);
 SAME_BITS_LARGE std::array<HoughPeak, 300> peaks;
 SAME_BITS_LARGE std::array<HoughSegment, 300> segments;
 
-void rows_of(const Report& report, const Case& c, GrayView edges, const EdgeScene& scene) noexcept {
+void rows_of(const Report& report, const Case& c, GrayView edges, const EdgeScene& scene,
+             const HoughKernels* kernels) noexcept {
+  HoughOptions options = c.options;
+  options.kernels = kernels;
   HoughLines lines;
   Hash result_hash, peaks_hash, segments_hash, rest, votes;
-  result_hash.add(HoughLines::prepare(lines, picture_size, c.options, scene.rest));
+  result_hash.add(HoughLines::prepare(lines, picture_size, options, scene.rest));
   const HoughResult result = lines.run(edges, scene.gradients(), peaks, segments);
   result_hash.add(result);
   peaks_hash.add(std::span<const HoughPeak>(peaks).first(result.peaks));
@@ -122,13 +125,13 @@ void draw_bound_row(const Report& report) noexcept {
 
 }  // namespace
 
-void hough_line_cases(const Report& report) noexcept {
+void hough_line_cases(const Report& report, const Kernels& kernels) noexcept {
   EdgeScene scene;
   Hash made;
   made.add(scene.make(), scene.edges);
   report.row({"hough.input"}, made);
-  for (const Case& c : cases) rows_of(report, c, scene.edges, scene);
-  rows_of(report, {"hough.progressive.noise", progressive}, noise_picture(), scene);
+  for (const Case& c : cases) rows_of(report, c, scene.edges, scene, kernels.hough);
+  rows_of(report, {"hough.progressive.noise", progressive}, noise_picture(), scene, kernels.hough);
   end_point_row(report, scene);
   draw_bound_row(report);
 }

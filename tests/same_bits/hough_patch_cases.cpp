@@ -46,10 +46,14 @@ void rows_of(const Report& report, const DepthView& depth, const HoughPatchOptio
 
 }  // namespace
 
-void hough_patch_cases(const Report& report) noexcept {
-  rows_of(report, depth_picture(), options, ".ball");
-  rows_of(report, depth_picture(), array_options, ".array");
-  rows_of(report, blank_depth(), options, ".blank");
+void hough_patch_cases(const Report& report, const Kernels& kernels) noexcept {
+  const auto with_kernels = [&](HoughPatchOptions chosen) {
+    chosen.kernels = kernels.hough_patches;
+    return chosen;
+  };
+  rows_of(report, depth_picture(), with_kernels(options), ".ball");
+  rows_of(report, depth_picture(), with_kernels(array_options), ".array");
+  rows_of(report, blank_depth(), with_kernels(options), ".blank");
 }
 
 }  // namespace same_bits

@@ -91,14 +91,18 @@ void stop_row(const Report& report) noexcept {
 
 }  // namespace
 
-void ransac_cases(const Report& report) noexcept {
+void ransac_cases(const Report& report, const Kernels& kernels) noexcept {
   stop_row(report);
-  cloud_row(report, room_cloud(), in_metres, "room");
-  cloud_row(report, room_cloud(), in_pieces, "pieces");
-  cloud_row(report, seen_cloud(), by_sensor, "seen");
-  frame_row(report, depth_picture(), by_sensor, "anywhere");
-  frame_row(report, depth_picture(), near_by_sensor, "near");
-  frame_row(report, blank_depth(), by_sensor, "blank");
+  const auto with_kernels = [&](RansacOptions options) {
+    options.kernels = kernels.ransac;
+    return options;
+  };
+  cloud_row(report, room_cloud(), with_kernels(in_metres), "room");
+  cloud_row(report, room_cloud(), with_kernels(in_pieces), "pieces");
+  cloud_row(report, seen_cloud(), with_kernels(by_sensor), "seen");
+  frame_row(report, depth_picture(), with_kernels(by_sensor), "anywhere");
+  frame_row(report, depth_picture(), with_kernels(near_by_sensor), "near");
+  frame_row(report, blank_depth(), with_kernels(by_sensor), "blank");
 }
 
 }  // namespace same_bits

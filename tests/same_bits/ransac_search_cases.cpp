@@ -42,11 +42,15 @@ void row_of(const Report& report, const DepthView& depth, const RansacSearchOpti
 
 }  // namespace
 
-void ransac_search_cases(const Report& report) noexcept {
-  row_of(report, depth_picture(), options, false, "default");
-  row_of(report, depth_picture(), fine, false, "fine");
-  row_of(report, depth_picture(), options, true, "masked");
-  row_of(report, blank_depth(), options, false, "blank");
+void ransac_search_cases(const Report& report, const Kernels& kernels) noexcept {
+  const auto with_kernels = [&](RansacSearchOptions chosen) {
+    chosen.kernels = kernels.plane_search;
+    return chosen;
+  };
+  row_of(report, depth_picture(), with_kernels(options), false, "default");
+  row_of(report, depth_picture(), with_kernels(fine), false, "fine");
+  row_of(report, depth_picture(), with_kernels(options), true, "masked");
+  row_of(report, blank_depth(), with_kernels(options), false, "blank");
 }
 
 }  // namespace same_bits
