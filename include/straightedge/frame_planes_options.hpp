@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "straightedge/depth_kernels.hpp"
+#include "straightedge/detail/has_table.hpp"
 #include "straightedge/image.hpp"
 #include "straightedge/plane_gate.hpp"
 
@@ -61,7 +62,7 @@ namespace detail {
 constexpr bool valid(const FramePlanesOptions& o) noexcept {
   return o.gate.valid() && o.max_planes >= 1 && o.max_planes <= 256 && o.rounds >= 1 && o.rounds <= 8 &&
          o.noise_pixels >= 1 && o.noise_pixels <= 1000 && o.slack >= 1 && o.slack <= 10 &&
-         (o.cell == 4 || o.cell == 8 || o.cell == 16) && o.kernels != nullptr;
+         (o.cell == 4 || o.cell == 8 || o.cell == 16) && has_table(o.kernels);
 }
 
 /// The level of DepthCells whose cells are the smallest.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "straightedge/detail/has_table.hpp"
 #include "straightedge/frame_planes_options.hpp"
 #include "straightedge/hough_accumulator.hpp"
 #include "straightedge/hough_patch_kernels.hpp"
@@ -92,7 +93,7 @@ constexpr bool valid(const HoughPatchOptions& o) noexcept {
                       o.max_spread_rad <= 1 && o.max_candidates >= 1 && o.max_candidates <= 1024 &&
                       o.rounds >= 1 && o.rounds <= 16;
   return o.gate.valid() && HoughAccumulator::cell_count(o.accumulator) > 0 && sizes && noise && search &&
-         o.kernels != nullptr;
+         has_table(o.kernels);
 }
 
 }  // namespace detail

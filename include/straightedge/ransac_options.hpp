@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "straightedge/detail/has_table.hpp"
 #include "straightedge/plane_gate.hpp"
 #include "straightedge/ransac_kernels.hpp"
 
@@ -53,7 +54,7 @@ constexpr bool valid(const RansacOptions& o) noexcept {
          o.near_radius <= 1e6 && o.confidence > 0 && o.confidence < 1 && o.max_iterations >= 1 &&
          o.max_iterations <= 10'000'000 && o.max_planes >= 1 && o.max_planes <= 65535 && o.min_inliers >= 3 &&
          o.min_share >= 0 && o.min_share <= 1 && o.piece_cell_m > 0 && o.piece_cell_m <= 1000 &&
-         o.kernels != nullptr;
+         has_table(o.kernels);
 }
 
 }  // namespace detail

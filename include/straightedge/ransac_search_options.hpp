@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "straightedge/detail/has_table.hpp"
 #include "straightedge/frame_planes_options.hpp"
 #include "straightedge/plane_gate.hpp"
 #include "straightedge/plane_search_kernels.hpp"
@@ -41,7 +42,7 @@ constexpr bool valid(const RansacSearchOptions& o) noexcept {
   return o.gate.valid() && o.cell >= 1 && o.cell <= 64 && o.min_pixels >= 1 && o.max_candidates >= 1 &&
          o.max_candidates <= 65535 && o.max_rms > 0 && o.max_rms <= 1 && o.rough_rms >= 0 &&
          o.rough_rms <= 1 && o.most_noise >= 1 && o.most_noise <= 100 && o.confidence > 0 &&
-         o.confidence < 1 && o.max_draws >= 1 && o.max_draws <= 65535 && o.kernels != nullptr;
+         o.confidence < 1 && o.max_draws >= 1 && o.max_draws <= 65535 && has_table(o.kernels);
 }
 
 }  // namespace detail
