@@ -13,7 +13,30 @@ Failure refused(Status status) {
   return {option ? Problem::bad_option : Problem::bad_content, to_string(status)};
 }
 
+/// A plane is seen well in so many cells of the picture's grid.
+constexpr std::uint32_t search_cells = 200, label_cells = 60;
+
+/// The largest of the cells 4, 8, ... `most` of which the smallest plane still has enough.
+std::int32_t coarsest_cell(std::uint32_t min_pixels, std::uint32_t cells, std::int32_t most) noexcept {
+  std::int32_t cell = 4;
+  while (cell < most && min_pixels / static_cast<std::uint32_t>(4 * cell * cell) >= cells) cell *= 2;
+  return cell;
+}
+
 }  // namespace
+
+PlaneDetectorOptions for_large_planes(PlaneDetectorOptions options, Size size, double share) noexcept {
+  const FramePlanesOptions large = for_large_planes(size, share);
+  options.frame.min_pixels = large.min_pixels;
+  options.frame.rounds = large.rounds;
+  options.frame.cell = coarsest_cell(large.min_pixels, label_cells, large.cell);
+  // A search sees less of a plane than is labelled in the end.
+  const std::uint32_t half = large.min_pixels / 2;
+  options.ransac.min_pixels = static_cast<std::int32_t>(half);
+  options.ransac.cell = coarsest_cell(large.min_pixels, search_cells, 16);
+  options.hough.min_pixels = half;
+  return options;
+}
 
 Result<PlaneDetector> PlaneDetector::create(Size size, const PlaneDetectorOptions& options,
                                             const KernelSet& kernels) {
@@ -46,10 +69,10 @@ Result<PlaneDetector> PlaneDetector::create(Size size, const PlaneDetectorOption
   return made;
 }
 
-Result<DetectedPlanes> PlaneDetector::detect(const DepthView& depth) {
+Result<Done> PlaneDetector::detect(const DepthView& depth, DetectedPlanes& result) {
   if (!depth.valid()) return refused(Status::invalid_image);
-  DetectedPlanes result;
-  result.labels = Image<std::uint16_t>(depth.raw.size());
+  if (result.labels.size() != depth.raw.size())
+    result.labels = Image<std::uint16_t>::for_overwrite(depth.raw.size());
   result.planes.resize(options_.frame.max_planes);
   const bool ransac = options_.method == PlaneMethod::ransac;
   const PlaneSearch search = ransac ? plane_search(*ransac_) : plane_search(*hough_);
@@ -57,6 +80,12 @@ Result<DetectedPlanes> PlaneDetector::detect(const DepthView& depth) {
   if (status != Status::ok) return refused(status);
   if (ransac) result.found.seed = options_.ransac.seed;
   result.planes.resize(result.found.planes);
+  return Done{};
+}
+
+Result<DetectedPlanes> PlaneDetector::detect(const DepthView& depth) {
+  DetectedPlanes result;
+  if (auto done = detect(depth, result); !done) return done.failure();
   return result;
 }
 

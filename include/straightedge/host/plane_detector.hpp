@@ -26,6 +26,12 @@ struct PlaneDetectorOptions {
   HoughPatchOptions hough;
 };
 
+/// The options for planes that fill at least this share of the picture, (0, 1], in the shortest time: the
+/// search looks at fewer readings, the labels are made from larger cells, and there is one round. How coarse
+/// that may be follows from how many pixels the smallest of the planes has. Method, gate, seed and limits stay
+/// as they are; a share that is out of range gives the smallest planes.
+PlaneDetectorOptions for_large_planes(PlaneDetectorOptions options, Size size, double share = 0.05) noexcept;
+
 /// The planes of one depth frame, in the camera's frame.
 struct DetectedPlanes {
   Image<std::uint16_t> labels;     ///< 0: no plane; k: planes[k − 1]
@@ -44,6 +50,8 @@ class PlaneDetector {
 
   /// bad_content: a frame of another size, a camera or a depth scale that makes no sense.
   Result<DetectedPlanes> detect(const DepthView& depth);
+  /// The same into a result whose memory is used again; after a failure there is nothing in it that counts.
+  Result<Done> detect(const DepthView& depth, DetectedPlanes& result);
 
   /// Bytes that the algorithms work in.
   std::size_t workspace_bytes() const noexcept { return memory_.size(); }
