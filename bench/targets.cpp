@@ -64,37 +64,32 @@ double first_plane_ms(const Frames& frames, int runs) {
 constexpr double large_share = 0.05;
 constexpr std::uint32_t small_pixels = 1000;
 
-std::uint32_t large_pixels(const Frames& frames) {
-  const Size size = frames.front().raw.size();
-  return static_cast<std::uint32_t>(large_share * size.width * size.height);
-}
-
 PlaneDetector make_detector(const Frames& frames, PlaneMethod method, bool large) {
   PlaneDetectorOptions options;
   options.method = method;
-  options.frame.min_pixels = large ? large_pixels(frames) : small_pixels;
-  auto made = PlaneDetector::create(frames.front().raw.size(), options);
+  options.frame.min_pixels = small_pixels;
+  const Size size = frames.front().raw.size();
+  auto made = PlaneDetector::create(size, large ? for_large_planes(options, size, large_share) : options);
   if (!made) fail(made.failure().sentence);
   return std::move(*made);
 }
 
-DetectedPlanes detect(PlaneDetector& detector, const bench::FixtureFrame& frame) {
-  auto found = detector.detect(frame.depth());
-  if (!found) fail(found.failure().sentence);
-  if (found->planes.empty()) fail("no plane");
-  return std::move(*found);
+void detect(PlaneDetector& detector, const bench::FixtureFrame& frame, DetectedPlanes& found) {
+  if (auto done = detector.detect(frame.depth(), found); !done) fail(done.failure().sentence);
+  if (found.planes.empty()) fail("no plane");
 }
 
 double all_planes_ms(const Frames& frames, int runs, PlaneMethod method, bool large) {
   PlaneDetector detector = make_detector(frames, method, large);
-  return median_ms(frames, runs, [&](std::size_t i) { detect(detector, frames[i]); });
+  DetectedPlanes found;
+  return median_ms(frames, runs, [&](std::size_t i) { detect(detector, frames[i], found); });
 }
 
 /// Each run makes a new map, so that frames meet new places and known ones as on a drive.
 double register_ms(const Frames& frames, int runs, PlaneMapBuilder& builder) {
   PlaneDetector detector = make_detector(frames, PlaneMethod::ransac, false);
-  std::vector<DetectedPlanes> found;
-  for (const auto& frame : frames) found.push_back(detect(detector, frame));
+  std::vector<DetectedPlanes> found(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) detect(detector, frames[i], found[i]);
   return median_ms(frames, runs, [&](std::size_t i) {
     if (i == 0) builder = PlaneMapBuilder();
     const auto added =
@@ -106,12 +101,13 @@ double register_ms(const Frames& frames, int runs, PlaneMapBuilder& builder) {
 /// All frames from depth to a finished map, a frame's share.
 double sequence_ms(const Frames& frames, int runs) {
   PlaneDetector detector = make_detector(frames, PlaneMethod::ransac, false);
+  DetectedPlanes found;
   std::vector<double> times;
   for (int run = 0; run < runs; ++run) {
     const double before = bench::thread_ms();
     PlaneMapBuilder builder;
     for (const auto& frame : frames) {
-      const DetectedPlanes found = detect(detector, frame);
+      detect(detector, frame, found);
       const auto added = builder.add(frame.depth(), found.labels, found.planes, frame.world_from_camera);
       if (!added) fail(added.failure().sentence);
     }

@@ -84,14 +84,14 @@ FindPlanes our_first_plane(const Scene& scene, bool from_cloud) {
 FindPlanes our_planes(const Scene& scene, PlaneMethod method) {
   PlaneDetectorOptions options;
   options.method = method;
-  options.frame.min_pixels =
-      static_cast<std::uint32_t>(least_share * static_cast<double>(scene.cloud.size()));
-  auto made = PlaneDetector::create(scene.frame.raw.size(), options);
+  const Size size = scene.frame.raw.size();
+  const double readings = static_cast<double>(scene.cloud.size()) / (1.0 * size.width * size.height);
+  auto made = PlaneDetector::create(size, for_large_planes(options, size, least_share * readings));
   if (!made) fail(made.failure().sentence);
   auto detector = std::make_shared<PlaneDetector>(std::move(*made));
-  return [detector, &scene] {
-    const auto found = detector->detect(scene.frame.depth());
-    if (!found) fail(found.failure().sentence);
+  auto found = std::make_shared<DetectedPlanes>();
+  return [detector, found, &scene] {
+    if (const auto done = detector->detect(scene.frame.depth(), *found); !done) fail(done.failure().sentence);
     return planes_of(found->planes, found->planes.size());
   };
 }

@@ -22,6 +22,7 @@ struct HoughPatchOptions {
   HoughAccumulatorOptions accumulator{HoughCells::ball, 30, 96};
   double max_distance_m = 8;         ///< of planes from the camera, (0, 1e6]; farther ones share a cell
   std::int32_t largest_patch = 64;   ///< pixels: 8, 16, 32 or 64
+  std::int32_t smallest_patch = 8;   ///< pixels: as above, at most the largest; what is finer is passed by
   double shared_noise_pixels = 16;   ///< so many neighbours share their noise, [1, 1000]; 1: none do
   double max_spread_rad = 0.25;      ///< patches that know their normal less well do not vote, (0, 1]
   double warp_sigmas = 0.5;          ///< low bumps in the sensor's depth, in units of its noise, [0, 10]
@@ -47,7 +48,8 @@ struct HoughPatch {
   std::uint16_t candidate = 0;          ///< the candidate that took it, counted from 1 as found; 0: none
   bool votes = false;                   ///< knows its normal well enough, and no search from it was in vain
 
-  const InverseDepthMoments* moments = nullptr;  ///< of its readings; in the memory of the search
+  /// Of its readings; in the memory of the search, or in cells that it shares.
+  const InverseDepthMoments* moments = nullptr;
   InverseDepthPlane plane;
   double mean_u = 0, mean_v = 0;             ///< pixels
   double mean_q = 0;                         ///< 1/metre
@@ -85,8 +87,11 @@ inline constexpr std::int32_t hough_patch_side = 8;
 namespace detail {
 
 constexpr bool valid(const HoughPatchOptions& o) noexcept {
-  const std::int32_t side = o.largest_patch;
-  const bool sizes = side == 8 || side == 16 || side == 32 || side == 64;
+  const auto is_side = [](std::int32_t side) noexcept {
+    return side == 8 || side == 16 || side == 32 || side == 64;
+  };
+  const bool sizes =
+      is_side(o.largest_patch) && is_side(o.smallest_patch) && o.smallest_patch <= o.largest_patch;
   const bool noise = o.shared_noise_pixels >= 1 && o.shared_noise_pixels <= 1000 && o.warp_sigmas >= 0 &&
                      o.warp_sigmas <= 10 && o.bend_rad >= 0 && o.bend_rad <= 0.5;
   const bool search = o.max_distance_m > 0 && o.max_distance_m <= 1e6 && o.max_spread_rad > 0 &&

@@ -96,6 +96,10 @@ void PlanesArguments::add_detection(CLI::App& command) {
                             "how far from a plane its readings may lie");
   threshold_option_ = add_real(command, "--threshold", gate_.fixed_m, {0, 1000}, "METRES",
                                "the same in metres, whatever the depth; 0 takes --sigma and --sigmas");
+  large_option_ = add_real(command, "--large", large_share_, {0.001, 1}, "SHARE",
+                           "planes of a frame that fill at least this share of it and no others, in less "
+                           "time, in place of --min-pixels; 0.05 is a twentieth");
+  large_option_->default_str("all planes");
   add_whole(command, "--min-pixels", min_pixels_, {0, most_pixels}, "PIXELS",
             "smaller planes of a frame or cloud are dropped; 0 is a thousandth of it, at least 64");
   add_whole(command, "--max-planes", max_planes_, {1, 256}, "N", "planes of a frame or cloud");
@@ -122,7 +126,7 @@ std::vector<PlaneMethod> PlanesArguments::method_list() const {
   return {PlaneMethod::ransac, PlaneMethod::hough};
 }
 
-PlaneDetectorOptions PlanesArguments::detector_options(PlaneMethod method) const {
+PlaneDetectorOptions PlanesArguments::detector_options(PlaneMethod method, Size size) const {
   PlaneDetectorOptions options;
   options.method = method;
   options.frame.gate = gate_;
@@ -133,7 +137,7 @@ PlaneDetectorOptions PlanesArguments::detector_options(PlaneMethod method) const
     options.ransac.min_pixels = std::min(options.ransac.min_pixels, min_pixels_);
     options.hough.min_pixels = std::min(options.hough.min_pixels, options.frame.min_pixels);
   }
-  return options;
+  return large_option_->count() > 0 ? for_large_planes(options, size, large_share_) : options;
 }
 
 unsigned PlanesArguments::thread_count(std::size_t frames) const {
@@ -206,7 +210,9 @@ std::string PlanesArguments::words(PlaneMethod method, const std::optional<Cloud
   text += gate.fixed_m > 0
               ? "threshold " + io::to_text(gate.fixed_m)
               : "sigma " + io::to_text(gate.inverse_sigma) + ", sigmas " + io::to_text(gate.sigmas);
-  text += ", min-pixels " + io::to_text(min_pixels_) + ", max-planes " + io::to_text(max_planes_);
+  text += large_option_->count() > 0 ? ", large " + io::to_text(large_share_)
+                                     : ", min-pixels " + io::to_text(min_pixels_);
+  text += ", max-planes " + io::to_text(max_planes_);
   text += ", min-points " + io::to_text(min_points_);
   if (const auto units = units_per_metre()) text += ", depth-scale " + io::to_text(*units);
   return text + ", seed " + io::to_text(common.seed) + "; of " + input_name();
@@ -223,8 +229,12 @@ Result<Done> PlanesArguments::check() const {
   if (is_cloud()) {
     if (!camera.empty()) return refusal(input, "a cloud has no camera; leave --camera out");
     if (units_per_metre()) return refusal(input, "a cloud has no depth scale; leave --depth-scale out");
+    if (large_option_->count() > 0)
+      return refusal(input, "a cloud has no frames for --large; --min-pixels says how small its planes are");
     if (!labels.empty()) return refusal(input, "a cloud has no frames for --labels; --ply has its labels");
   }
+  if (large_option_->count() > 0 && min_pixels_ > 0)
+    return refusal(input, "--large says how small planes are; leave --min-pixels out");
   if (!folder && !trajectory.empty())
     return refusal(input, "--trajectory is for a folder of frames; leave it out");
   for (const std::string& output : {xml, ply, ply_polygons, html, svg, leaves}) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/command.hpp"
-#include "straightedge/host/measure_cloud.hpp"
 #include "straightedge/host/depth_sequence.hpp"
+#include "straightedge/host/measure_cloud.hpp"
 #include "straightedge/host/plane_detector.hpp"
 #include "straightedge/host/plane_map_builder.hpp"
 #include "straightedge/host/plane_view.hpp"
@@ -44,7 +44,8 @@ struct PlanesArguments {
   void add_to(CLI::App& command);
 
   std::vector<PlaneMethod> method_list() const;
-  PlaneDetectorOptions detector_options(PlaneMethod method) const;
+  /// For frames of this size.
+  PlaneDetectorOptions detector_options(PlaneMethod method, Size size) const;
   /// For so many frames, at least 1.
   unsigned thread_count(std::size_t frames) const;
   std::uint32_t max_planes() const { return static_cast<std::uint32_t>(max_planes_); }
@@ -76,11 +77,13 @@ struct PlanesArguments {
   std::uint32_t least_points(std::size_t points) const;
 
   PlaneGate gate_;
+  double large_share_ = 0.05;
   std::int32_t min_pixels_ = 0;
   std::int32_t max_planes_ = 64;
   std::uint64_t min_points_ = 0;
   std::int32_t threads_ = 0;
   double depth_scale_ = 0;
+  CLI::Option* large_option_ = nullptr;
   CLI::Option* depth_scale_option_ = nullptr;
   CLI::Option* sigma_option_ = nullptr;
   CLI::Option* sigmas_option_ = nullptr;

@@ -43,7 +43,7 @@ Result<Done> PlanesWorker::make_detectors(const SequenceFrame& frame, Size size)
   first_.clear();
   const std::vector<PlaneMethod> methods = arguments_->method_list();
   for (const PlaneMethod method : methods) {
-    const PlaneDetectorOptions options = arguments_->detector_options(method);
+    const PlaneDetectorOptions options = arguments_->detector_options(method, size);
     const std::size_t bytes = FramePlanes::workspace_bytes(size, options.frame);
     if (auto fits = check_memory(frame.file, bytes); !fits) return fits.failure();
     auto made = PlaneDetector::create(size, options, *kernels_);
@@ -62,16 +62,16 @@ Result<std::vector<MethodFrame>> PlanesWorker::look_at(const DepthView& depth, c
   std::vector<MethodFrame> seen;
   for (std::size_t m = 0; m < detectors_.size(); ++m) {
     const auto before = std::chrono::steady_clock::now();
-    auto detected = detectors_[m].detect(depth);
+    auto done = detectors_[m].detect(depth, detected_);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - before;
-    if (!detected) return detected.failure();
-    auto registered = builders_[m].add(depth, detected->labels, detected->planes, pose);
+    if (!done) return done.failure();
+    auto registered = builders_[m].add(depth, detected_.labels, detected_.planes, pose);
     if (!registered) return registered.failure();
     const auto pixels =
         static_cast<std::size_t>(depth.raw.width) * static_cast<std::size_t>(depth.raw.height);
-    seen.push_back({.labels = runs_of({detected->labels.view().data, pixels}),
-                    .planes = std::move(detected->planes),
-                    .found = detected->found,
+    seen.push_back({.labels = runs_of({detected_.labels.view().data, pixels}),
+                    .planes = detected_.planes,
+                    .found = detected_.found,
                     .registered = std::move(*registered),
                     .ids = {},
                     .first_ms = first_.empty() ? 0 : first_[m].time(depth),

@@ -29,7 +29,8 @@ class PlanesWorker {
   const PlanesArguments* arguments_;
   const KernelSet* kernels_;
   const DepthCamera* camera_;
-  Size size_;  ///< that the detectors are for
+  Size size_;                ///< that the detectors are for
+  DetectedPlanes detected_;  ///< its memory is used for every frame
   std::vector<PlaneDetector> detectors_;
   std::vector<FirstPlane> first_;  ///< empty for a single method
   std::vector<PlaneMapBuilder> builders_;

@@ -15,6 +15,8 @@ Failure refused(Status status) {
 
 /// A plane is seen well in so many cells of the picture's grid.
 constexpr std::uint32_t search_cells = 200, label_cells = 60;
+// Patches that know their normal worse only spread votes: a large plane has some that know it well.
+constexpr double large_spread_rad = 0.12;
 
 /// The largest of the cells 4, 8, ... `most` of which the smallest plane still has enough.
 std::int32_t coarsest_cell(std::uint32_t min_pixels, std::uint32_t cells, std::int32_t most) noexcept {
@@ -35,6 +37,8 @@ PlaneDetectorOptions for_large_planes(PlaneDetectorOptions options, Size size, d
   options.ransac.min_pixels = static_cast<std::int32_t>(half);
   options.ransac.cell = coarsest_cell(large.min_pixels, search_cells, 16);
   options.hough.min_pixels = half;
+  options.hough.smallest_patch = 2 * options.frame.cell;
+  options.hough.max_spread_rad = large_spread_rad;
   return options;
 }
 
@@ -75,7 +79,7 @@ Result<Done> PlaneDetector::detect(const DepthView& depth, DetectedPlanes& resul
     result.labels = Image<std::uint16_t>::for_overwrite(depth.raw.size());
   result.planes.resize(options_.frame.max_planes);
   const bool ransac = options_.method == PlaneMethod::ransac;
-  const PlaneSearch search = ransac ? plane_search(*ransac_) : plane_search(*hough_);
+  const PlaneSearch search = ransac ? plane_search(*ransac_) : plane_search(*hough_, frame_->cells());
   const Status status = frame_->run(depth, search, result.labels.view(), result.planes, result.found);
   if (status != Status::ok) return refused(status);
   if (ransac) result.found.seed = options_.ransac.seed;

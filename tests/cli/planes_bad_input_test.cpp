@@ -163,23 +163,25 @@ TEST_CASE("clouds that are none") {
 TEST_CASE("options of planes that are out of range or do not fit the input") {
   const BadRoom folder;
   for (const auto& [option, value] :
-       {std::pair("--sigma", "0"), std::pair("--sigma", "nan"), std::pair("--sigma", "1"),
-        std::pair("--sigmas", "-3"), std::pair("--sigmas", "1e9"), std::pair("--threshold", "-0.01"),
-        std::pair("--threshold", "inf"), std::pair("--min-pixels", "-1"), std::pair("--min-pixels", "1e30"),
-        std::pair("--max-planes", "0"), std::pair("--max-planes", "257"), std::pair("--min-points", "x"),
-        std::pair("--ply-points", "0"), std::pair("--depth-scale", "0"), std::pair("--depth-scale", "nan"),
-        std::pair("--method", "magic"), std::pair("--up", "x")})
+       {std::pair("--sigma", "0"),         std::pair("--sigma", "nan"),     std::pair("--sigma", "1"),
+        std::pair("--sigmas", "-3"),       std::pair("--sigmas", "1e9"),    std::pair("--threshold", "-0.01"),
+        std::pair("--threshold", "inf"),   std::pair("--min-pixels", "-1"), std::pair("--min-pixels", "1e30"),
+        std::pair("--large", "0"),         std::pair("--large", "1.01"),    std::pair("--large", "nan"),
+        std::pair("--large", "5%"),        std::pair("--max-planes", "0"),  std::pair("--max-planes", "257"),
+        std::pair("--min-points", "x"),    std::pair("--ply-points", "0"),  std::pair("--depth-scale", "0"),
+        std::pair("--depth-scale", "nan"), std::pair("--method", "magic"),  std::pair("--up", "x")})
     folder.refused(2, option, value, {option, value});
   refusal(run_program({"planes", folder.room(), "-o", (folder / "m.x").string()}), 2, "m.x");
   folder.refused(2, folder.in_room("depth"), "replace the frames", {"--labels", folder.in_room("depth")});
   folder.refused(2, "0.png", "replace the input", {"--leaves", folder.in_room("depth/0.png")});
   folder.refused(4, "nowhere", "cannot be written", {"--labels", (folder / "nowhere/labels").string()});
+  folder.refused(2, "--min-pixels", "--large", {"--large", "0.1", "--min-pixels", "500"});
   const std::string picture = folder.in_room("depth/0.png");
   refusal(run_program({"planes", picture, "-o", "-", "--trajectory", folder.in_room("groundtruth.txt")}), 2,
           "--trajectory");
   const std::string cloud = folder.put("c.ply", planes_room::corner_ply(20)).string();
-  for (const auto& [option, value] :
-       {std::pair("--labels", "labels"), std::pair("--depth-scale", "1000"), std::pair("--camera", "c.json")})
+  for (const auto& [option, value] : {std::pair("--labels", "labels"), std::pair("--depth-scale", "1000"),
+                                      std::pair("--camera", "c.json"), std::pair("--large", "0.1")})
     refusal(run_program({"planes", cloud, "-o", "-", option, value}), 2, option);
   refusal(run_program({"planes", cloud, "-o", "-", "--method", "both"}), 2, "both");
 }

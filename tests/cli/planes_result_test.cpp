@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
@@ -195,6 +196,28 @@ TEST_CASE("the numbers of a run") {
     CHECK(inliers == frame["labelled"].get<std::uint64_t>());
   }
   CHECK(run.out.find("_ms") == std::string::npos);
+}
+
+TEST_CASE("large planes alone have the share of the frame that was asked for") {
+  const RoomFolder folder;
+  const auto numbers_with = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--json", "--quiet"});
+    return nlohmann::json::parse(planes(folder, arguments).out);
+  };
+  for (const std::string& method : methods) {
+    INFO(method);
+    const auto all = numbers_with({"--method", method})["methods"][0];
+    const auto large = numbers_with({"--method", method, "--large", "0.25"})["methods"][0];
+    CHECK(all["options"].get<std::string>().find("large") == std::string::npos);
+    CHECK(large["options"].get<std::string>().find("large 0.25, max-planes") != std::string::npos);
+    for (std::size_t i = 0; i < planes_room::frames; ++i) {
+      const auto is_large = [](const auto& plane) { return plane["inliers"] >= 160 * 120 / 4; };
+      const auto& every = all["frames"][i]["planes"];
+      const auto& found = large["frames"][i]["planes"];
+      CHECK(std::all_of(found.begin(), found.end(), is_large));
+      CHECK(static_cast<std::ptrdiff_t>(found.size()) == std::count_if(every.begin(), every.end(), is_large));
+    }
+  }
 }
 
 TEST_CASE("points are thinned to as many as asked for") {

@@ -134,6 +134,51 @@ TEST_CASE("patches: a fixed threshold in metres serves too") {
   CHECK(has(found, floor_face.plane, 0.01, 0.01));
 }
 
+TEST_CASE("patches: none is smaller than the smallest that is wanted") {
+  const Image<float> picture = test::room({wall, floor_face, box});
+  for (const std::int32_t smallest : {8, 16, 32, 64}) {
+    const Found found = find(picture, {.smallest_patch = smallest});
+    std::int32_t least = 64;
+    for (const HoughPatch& patch : found.search->patches()) least = std::min(least, patch.side);
+    CHECK(least == smallest);
+    CHECK(has(found, wall.plane, 0.01, 0.01));
+    CHECK(has(found, floor_face.plane, 0.01, 0.01));
+  }
+}
+
+TEST_CASE("patches: sums that others have made do as well as its own") {
+  const Image<float> picture = test::room({wall, floor_face, box});
+  const Size size = picture.size();
+  Found own = find(picture);
+  for (const int finest : {0, 1, 2}) {
+    std::vector<std::byte> memory(std::size_t{4} << 20);
+    Arena arena(memory);
+    DepthCells cells;
+    cells.take(arena, size, finest);
+    REQUIRE_FALSE(arena.failed());
+    cells.build(picture);
+    // What lies there is what counts: with cells that hold nothing nothing is found, unless there is none of
+    // the size that is needed, or something is masked.
+    const auto count = [&](ImageView<const std::uint16_t> mask) {
+      own.candidates.resize(64);
+      own.search->share_sums(&cells);
+      own.result = own.search->run(picture, test::camera_for(size), mask, own.candidates);
+      own.candidates.resize(own.result.candidates);
+      return own.candidates.size();
+    };
+    REQUIRE(count({}) == 3);
+    CHECK(own.result.readings == 320 * 240);
+    CHECK(has(own, wall.plane, 0.01, 0.01));
+    CHECK(has(own, floor_face.plane, 0.01, 0.01));
+    CHECK(has(own, box.plane, 0.02, 0.01));
+    std::fill(cells.level(finest).begin(), cells.level(finest).end(), InverseDepthMoments{});
+    cells.sum_up();
+    CHECK(count({}) == (finest < 2 ? 0 : 3));
+    const Image<std::uint16_t> free(size, std::uint16_t{0});
+    CHECK(count(free.view()) == 3);
+  }
+}
+
 TEST_CASE("patches: options that are no numbers or out of range are refused") {
   const auto refused = [](auto member, auto value) {
     HoughPatchOptions options;
@@ -153,6 +198,8 @@ TEST_CASE("patches: options that are no numbers or out of range are refused") {
   refused(&O::max_distance_m, 0.0);
   refused(&O::max_spread_rad, 1.1);
   for (const int bad : {0, -1, 12, 128}) refused(&O::largest_patch, bad);
+  for (const int bad : {0, 4, 24, 128}) refused(&O::smallest_patch, bad);
+  CHECK(HoughPatchSearch::workspace_bytes({64, 64}, {.largest_patch = 16, .smallest_patch = 32}) == 0);
   for (const int bad : {0, -5, 1025}) refused(&O::max_candidates, bad);
   for (const int bad : {0, 17}) refused(&O::rounds, bad);
   refused(&O::accumulator, HoughAccumulatorOptions{HoughCells::ball, 2, 10});

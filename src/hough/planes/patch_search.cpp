@@ -40,25 +40,46 @@ Status check(Size size, const DepthInput& input, const PinholeCamera& camera) no
   return fits ? Status::ok : Status::size_mismatch;
 }
 
-/// Step 1. Returns the number of readings.
-std::uint32_t sum_levels(const DepthInput& input, const HoughPatchOptions& options,
-                         detail::HoughPatchMemory& memory) noexcept {
-  hough::sum_cells(input, *options.kernels, memory.levels[0]);
-  double readings = 0;
-  for (const InverseDepthMoments& cell : memory.levels[0]) readings += cell.n;
+/// Sums of squares of 8 to 32 pixels as somebody else has made them; false: they are not of this picture.
+bool share(const DepthCells* cells, Size size, const DepthInput& input, hough::PatchLevels& levels) noexcept {
+  // A square of 8 pixels is a cell of level 1.
+  static_assert(DepthCells::side_of(1) == hough_patch_side);
+  if (cells == nullptr || input.mask.data != nullptr || cells->finest() > 1) return false;
+  if (cells->size(1) != DepthCells::size_of(size, 1)) return false;
+  for (int level = 1; level < DepthCells::levels; ++level) {
+    levels[static_cast<std::size_t>(level - 1)] = cells->level(level);
+  }
+  return true;
+}
+
+/// Step 1.
+hough::PatchLevels sum_levels(const DepthInput& input, const HoughPatchOptions& options,
+                              const DepthCells* cells, detail::HoughPatchMemory& memory) noexcept {
+  hough::PatchLevels levels{memory.levels[0], memory.levels[1], memory.levels[2], memory.levels[3]};
+  const bool shared = share(cells, input.inverse_depth.size(), input, levels);
+  if (!shared) hough::sum_cells(input, *options.kernels, memory.levels[0]);
   std::int32_t side = hough_patch_side;
   for (std::size_t level = 1; 2 * side <= options.largest_patch; ++level) {
-    const Size cells{(input.inverse_depth.width + side - 1) / side,
-                     (input.inverse_depth.height + side - 1) / side};
-    hough::sum_four(memory.levels[level - 1], cells, memory.levels[level]);
+    const Size squares{(input.inverse_depth.width + side - 1) / side,
+                       (input.inverse_depth.height + side - 1) / side};
+    if (levels[level].data() == memory.levels[level].data()) {
+      hough::sum_four(levels[level - 1], squares, memory.levels[level]);
+    }
     side *= 2;
   }
+  return levels;
+}
+
+std::uint32_t count_readings(std::span<const InverseDepthMoments> squares) noexcept {
+  double readings = 0;
+  for (const InverseDepthMoments& square : squares) readings += square.n;
   return static_cast<std::uint32_t>(readings);
 }
 
 /// Step 2.
-std::span<HoughPatch> cut(const PatchScene& scene, detail::HoughPatchMemory& memory) noexcept {
-  const std::size_t count = hough::make_patches(scene, memory.levels, memory.patches);
+std::span<HoughPatch> cut(const PatchScene& scene, const hough::PatchLevels& levels,
+                          detail::HoughPatchMemory& memory) noexcept {
+  const std::size_t count = hough::make_patches(scene, levels, memory.patches);
   const std::span<HoughPatch> patches = memory.patches.first(count);
   for (HoughPatch& patch : patches) {
     hough::shape_vote(scene, patch);
@@ -179,9 +200,10 @@ HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, con
                          memory_.accumulator.directions().cell_size(),
                          options_.max_distance_m / options_.accumulator.distances};
   // Step 1.
-  result.readings = sum_levels(input, options_, memory_);
+  const hough::PatchLevels levels = sum_levels(input, options_, cells_, memory_);
+  result.readings = count_readings(levels[0]);
   // Step 2.
-  const std::span<HoughPatch> patches = cut(scene, memory_);
+  const std::span<HoughPatch> patches = cut(scene, levels, memory_);
   patches_ = patches.size();
   result.patches = static_cast<std::uint32_t>(patches.size());
   // Steps 3 to 6.
@@ -212,6 +234,11 @@ PlaneSearch plane_search(HoughPatchSearch& search) noexcept {
             count = result.candidates;
             return result.status;
           }};
+}
+
+PlaneSearch plane_search(HoughPatchSearch& search, const DepthCells& cells) noexcept {
+  search.share_sums(&cells);
+  return plane_search(search);
 }
 
 }  // namespace straightedge

@@ -38,9 +38,9 @@ struct Square {
 
 class Tree {
  public:
-  Tree(const PatchScene& scene, std::span<const std::span<InverseDepthMoments>> levels,
+  Tree(const PatchScene& scene, const PatchLevels& levels, std::int32_t bottom,
        std::span<HoughPatch> patches) noexcept
-      : scene_(scene), levels_(levels), patches_(patches) {}
+      : scene_(scene), levels_(levels), bottom_(bottom), patches_(patches) {}
 
   /// A walk in order of position, without recursion: after a square its next brother, after the last of four
   /// the father's next one.
@@ -65,7 +65,8 @@ class Tree {
   bool parts_agree(const Square& s, const InverseDepthPlane& plane, double noise) const noexcept;
 
   const PatchScene& scene_;
-  std::span<const std::span<InverseDepthMoments>> levels_;
+  const PatchLevels& levels_;
+  std::int32_t bottom_;
   std::span<HoughPatch> patches_;
   std::size_t size_ = 0;
 };
@@ -75,7 +76,7 @@ void Tree::cut(std::int32_t column, std::int32_t row, std::int32_t top) noexcept
   for (;;) {
     const InverseDepthMoments* m = at(s);
     const bool some = m != nullptr && m->n >= 16;
-    if (some && !planar(s, *m) && s.level > 0) {
+    if (some && !planar(s, *m) && s.level > bottom_) {
       s = {s.level - 1, 2 * s.column, 2 * s.row};
       continue;
     }
@@ -146,11 +147,12 @@ bool Tree::parts_agree(const Square& s, const InverseDepthPlane& plane, double n
 
 }  // namespace
 
-std::size_t make_patches(const PatchScene& scene, std::span<const std::span<InverseDepthMoments>> levels,
+std::size_t make_patches(const PatchScene& scene, const PatchLevels& levels,
                          std::span<HoughPatch> patches) noexcept {
-  Tree tree(scene, levels, patches);
-  std::int32_t top = 0;
+  std::int32_t top = 0, bottom = 0;
   while ((hough_patch_side << top) < scene.options.largest_patch) ++top;
+  while ((hough_patch_side << bottom) < scene.options.smallest_patch) ++bottom;
+  Tree tree(scene, levels, bottom, patches);
   const std::int32_t side = hough_patch_side << top;
   for (std::int32_t row = 0; row * side < scene.size.height; ++row) {
     for (std::int32_t column = 0; column * side < scene.size.width; ++column) tree.cut(column, row, top);

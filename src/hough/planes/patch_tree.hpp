@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -31,8 +32,11 @@ struct PatchScene {
   }
 };
 
+/// Sums over squares of 8, 16, 32, 64 pixels.
+using PatchLevels = std::array<std::span<const InverseDepthMoments>, 4>;
+
 /// Step 2 of hough_plane_patches.hpp. Returns how many patches were written.
-std::size_t make_patches(const PatchScene& scene, std::span<const std::span<InverseDepthMoments>> levels,
+std::size_t make_patches(const PatchScene& scene, const PatchLevels& levels,
                          std::span<HoughPatch> patches) noexcept;
 
 }  // namespace straightedge::hough
