@@ -69,6 +69,7 @@ struct HoughPatch {
 struct HoughPatchMean {
   double u = 0, v = 0, q = 0, gate = 0;
   std::uint32_t patch = 0;
+  std::uint32_t voters = 0;  ///< its readings if it votes, else 0
 };
 
 struct HoughPatchResult {

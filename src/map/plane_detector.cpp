@@ -17,6 +17,8 @@ Failure refused(Status status) {
 constexpr std::uint32_t search_cells = 200, label_cells = 60;
 // Patches that know their normal worse only spread votes: a large plane has some that know it well.
 constexpr double large_spread_rad = 0.12;
+// Large planes are far apart.
+constexpr HoughAccumulatorOptions large_votes{HoughCells::ball, 24, 64};
 
 /// The largest of the cells 4, 8, ... `most` of which the smallest plane still has enough.
 std::int32_t coarsest_cell(std::uint32_t min_pixels, std::uint32_t cells, std::int32_t most) noexcept {
@@ -39,6 +41,7 @@ PlaneDetectorOptions for_large_planes(PlaneDetectorOptions options, Size size, d
   options.hough.min_pixels = half;
   options.hough.smallest_patch = 2 * options.frame.cell;
   options.hough.max_spread_rad = large_spread_rad;
+  options.hough.accumulator = large_votes;
   return options;
 }
 

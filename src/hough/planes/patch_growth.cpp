@@ -37,12 +37,13 @@ bool near_peak(const PatchScene& scene, const HoughPatch& patch, const Plane& pe
   return off <= scene.step_m && off >= -scene.step_m && kernel_distance(patch, normal) < vote_reach_squared;
 }
 
-HoughPatch* find_seed(const PatchScene& scene, const PatchPool& pool, const Plane& peak) noexcept {
-  HoughPatch* best = nullptr;
-  for (const HoughPatchMean& mean : pool.free) {
-    HoughPatch& patch = pool.of(mean);
-    if (!patch.votes || (best != nullptr && patch.moments->n <= best->moments->n)) continue;
-    if (near_peak(scene, patch, peak)) best = &patch;
+HoughPatchMean* find_seed(const PatchScene& scene, const PatchPool& pool, const Plane& peak) noexcept {
+  HoughPatchMean* best = nullptr;
+  std::uint32_t most = 0;
+  for (HoughPatchMean& mean : pool.free) {
+    if (mean.voters <= most || !near_peak(scene, pool.of(mean), peak)) continue;
+    best = &mean;
+    most = mean.voters;
   }
   return best;
 }
@@ -141,18 +142,21 @@ void claim(const PatchScene& scene, std::uint16_t number, PatchPool& pool,
 PatchPool make_pool(std::span<HoughPatch> patches, std::span<HoughPatchMean> means) noexcept {
   for (std::uint32_t i = 0; i < patches.size(); ++i) {
     const HoughPatch& patch = patches[i];
-    means[i] = {patch.mean_u, patch.mean_v, patch.mean_q, patch.gate, i};
+    const double voters = patch.votes ? patch.moments->n : 0;
+    means[i] = {patch.mean_u, patch.mean_v, patch.mean_q, patch.gate, i, static_cast<std::uint32_t>(voters)};
   }
   return {patches, means.first(patches.size())};
 }
 
 bool grow(const PatchScene& scene, const Plane& peak, PatchPool& pool, std::uint16_t number,
           ProposedPlane& candidate) noexcept {
-  HoughPatch* seed = find_seed(scene, pool, peak);
-  if (seed == nullptr) return false;
+  HoughPatchMean* mean = find_seed(scene, pool, peak);
+  if (mean == nullptr) return false;
+  HoughPatch* seed = &pool.of(*mean);
   const PatchSum sum = grow_from(scene, *seed, peak, pool);
   if (sum.moments.n < scene.options.min_pixels || !fit_sum(scene, sum.moments, candidate.fit)) {
     seed->votes = false;
+    mean->voters = 0;
     return false;
   }
   candidate.readings = static_cast<std::uint32_t>(sum.moments.n);
