@@ -14,7 +14,7 @@ Failure refused(Status status) {
 }
 
 /// A plane is seen well in so many cells of the picture's grid.
-constexpr std::uint32_t search_cells = 200, label_cells = 60;
+constexpr std::uint32_t search_cells = 180, label_cells = 60;
 // Patches that know their normal worse only spread votes: a large plane has some that know it well.
 constexpr double large_spread_rad = 0.12;
 // Large planes are far apart.
@@ -34,11 +34,11 @@ PlaneDetectorOptions for_large_planes(PlaneDetectorOptions options, Size size, d
   options.frame.min_pixels = large.min_pixels;
   options.frame.rounds = large.rounds;
   options.frame.cell = coarsest_cell(large.min_pixels, label_cells, large.cell);
-  // A search sees less of a plane than is labelled in the end.
-  const std::uint32_t half = large.min_pixels / 2;
-  options.ransac.min_pixels = static_cast<std::int32_t>(half);
+  // A search sees less of a plane than is labelled in the end, and RANSAC looks for it in windows that are not
+  // smaller than the smallest plane: most of such a window ought to be its own.
+  options.ransac.min_pixels = static_cast<std::int32_t>(large.min_pixels / 4);
   options.ransac.cell = coarsest_cell(large.min_pixels, search_cells, 16);
-  options.hough.min_pixels = half;
+  options.hough.min_pixels = large.min_pixels / 2;
   options.hough.smallest_patch = 2 * options.frame.cell;
   options.hough.max_spread_rad = large_spread_rad;
   options.hough.accumulator = large_votes;
