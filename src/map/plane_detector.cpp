@@ -17,8 +17,8 @@ Failure refused(Status status) {
 constexpr std::uint32_t search_cells = 180, label_cells = 60;
 // Patches that know their normal worse only spread votes: a large plane has some that know it well.
 constexpr double large_spread_rad = 0.12;
-// Large planes are far apart.
-constexpr HoughAccumulatorOptions large_votes{HoughCells::ball, 24, 64};
+// Large planes differ in direction, or lie one behind the other.
+constexpr HoughAccumulatorOptions large_votes{HoughCells::ball, 24, 96};
 
 /// The largest of the cells 4, 8, ... `most` of which the smallest plane still has enough.
 std::int32_t coarsest_cell(std::uint32_t min_pixels, std::uint32_t cells, std::int32_t most) noexcept {
@@ -36,9 +36,10 @@ PlaneDetectorOptions for_large_planes(PlaneDetectorOptions options, Size size, d
   options.frame.cell = coarsest_cell(large.min_pixels, label_cells, large.cell);
   // A search sees less of a plane than is labelled in the end, and RANSAC looks for it in windows that are not
   // smaller than the smallest plane: most of such a window ought to be its own.
-  options.ransac.min_pixels = static_cast<std::int32_t>(large.min_pixels / 4);
+  const std::uint32_t quarter = large.min_pixels / 4;
+  options.ransac.min_pixels = static_cast<std::int32_t>(quarter);
   options.ransac.cell = coarsest_cell(large.min_pixels, search_cells, 16);
-  options.hough.min_pixels = large.min_pixels / 2;
+  options.hough.min_pixels = quarter;
   options.hough.smallest_patch = 2 * options.frame.cell;
   options.hough.max_spread_rad = large_spread_rad;
   options.hough.accumulator = large_votes;

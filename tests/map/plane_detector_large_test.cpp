@@ -111,7 +111,7 @@ TEST_CASE("large planes alone: how coarse the search is follows from the pixels 
   CHECK(large.frame.cell == 8);
   CHECK(large.ransac.cell == 8);
   CHECK(large.ransac.min_pixels == 3840);
-  CHECK(large.hough.min_pixels == 7680);
+  CHECK(large.hough.min_pixels == 3840);
   CHECK(large.hough.smallest_patch == 16);
   const PlaneDetectorOptions small = for_large_planes(options, {160, 120}, 0.05);
   CHECK(small.frame.cell == 4);
