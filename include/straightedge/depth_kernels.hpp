@@ -23,6 +23,31 @@ struct DepthCellSums {
   std::int32_t n = 0;  ///< pixels above 0
 };
 
+/// Cells one after another, a row of numbers for each kind: readings, means of u, v and q, and the sums of
+/// products of the deviations from these means, in the order of DepthCell (depth_cells.hpp).
+struct DepthCellRows {
+  static constexpr std::int32_t kinds = 10;
+  float* first = nullptr;
+  std::ptrdiff_t apart = 0;  ///< from one kind to the next
+};
+
+/// What sixteen cells may take. Plane k is surface k.
+struct DepthCellTask {
+  static constexpr std::int32_t cells = 16, most_asked = 54;
+  DepthCellRows at;         ///< the first one's; all sixteen must be there to be read
+  std::uint32_t open = 0;   ///< bit i: cell i may take a plane, if it has readings enough
+  std::uint32_t given = 0;  ///< of these: it takes the one that it asks for
+  float least = 0;          ///< readings
+  std::int32_t planes = 0;  ///< how many there are
+  std::int32_t asked = 0;   ///< planes that some of them try first
+  std::uint16_t plane[most_asked];
+  std::uint16_t of[most_asked];  ///< bit i: by cell i
+  /// Deviation of 1/z as in DepthChoice; what follows are mean squared residuals in its squares.
+  float noise = 0, noise_of_square = 0;
+  float pure_of_asked = 0;  ///< below this the best of those asked is the cell's
+  float pure = 0;           ///< else the best of all is, below this
+};
+
 /// A rectangle of pixels whose only plane is at + along x + down y, x and y from its corner.
 struct DepthBlock {
   DepthRows rows;
@@ -32,11 +57,6 @@ struct DepthBlock {
   std::uint16_t label = 0;
 
   static constexpr std::int32_t most_height = 32;
-};
-
-struct DepthBlockCounts {
-  std::int32_t labelled = 0;
-  std::uint32_t rows_missed = 0;  ///< bit y: readings of row y lie outside of the gate
 };
 
 /// Planes to choose from for 4x4 pixels: plane k is at[k] + along[k] x + down[k] y, x and y from their
@@ -51,11 +71,14 @@ struct DepthChoice {
   float noise, noise_of_square, sigmas;
 };
 
-/// Quadratic surfaces c + x X + y Y + xx X² + xy X Y + yy Y², an array for each coefficient.
+/// Planes as DepthSurface (depth_cells.hpp), an array for each coefficient.
 struct DepthSurfaces {
-  static constexpr std::int32_t step = 16;  ///< arrays are as long as a multiple of it
   float *c = nullptr, *x = nullptr, *y = nullptr, *xx = nullptr, *xy = nullptr, *yy = nullptr;
-  std::int32_t count = 0;  ///< a multiple of `step`
+};
+
+struct DepthCellPlanes {
+  std::uint16_t label[DepthCellTask::cells];  ///< 1 + the plane, 0: none
+  float mean[DepthCellTask::cells];           ///< squared residual from it, in squares of the deviation
 };
 
 struct DepthKernels {
@@ -66,17 +89,29 @@ struct DepthKernels {
   void (*sum_cells)(const DepthRows& corner, std::int32_t side, std::int32_t cells,
                     DepthCellSums* sums) noexcept;
 
-  /// Readings within the gate get the label, all others 0.
-  DepthBlockCounts (*label_block)(const DepthBlock& block, std::uint16_t* labels,
-                                  std::ptrdiff_t stride) noexcept;
+  /// Cells whose pixels all have a reading, from their sums; u and v of their corners are (left + i side,
+  /// top).
+  void (*whole_cells)(const DepthCellSums* sums, std::int32_t side, std::int32_t cells, float left, float top,
+                      const DepthCellRows& out) noexcept;
+  /// Each cell from two beside one another of one row and of the next, which lies `below` further on.
+  void (*join_cells)(const DepthCellRows& from, std::ptrdiff_t below, std::int32_t cells,
+                     const DepthCellRows& out) noexcept;
+  /// Cells that are not open get no label.
+  void (*choose_planes)(const DepthCellTask& task, const DepthSurfaces& surfaces,
+                        DepthCellPlanes& planes) noexcept;
+
+  /// Readings within the gate get the label, all others 0. Bit y: some readings of row y are others.
+  std::uint32_t (*label_block)(const DepthBlock& block, std::uint16_t* labels,
+                               std::ptrdiff_t stride) noexcept;
+
+  /// What the labels of cells and of those around them in three rows are: 0, the only one beside 0, or 65535:
+  /// several. Outside of the rows there are none.
+  void (*look_around)(const std::uint16_t* above, const std::uint16_t* here, const std::uint16_t* below,
+                      std::int32_t width, std::uint16_t* around) noexcept;
 
   /// For each of the 4x4 pixels 1 + the nearest plane within the gate, or 0. Where two planes are nearly as
   /// near (4 deviations), the mean of the 3x3 pixels of the pixel's own surface (8 deviations) decides.
   void (*choose)(const DepthChoice& pixels, std::int32_t* chosen) noexcept;
-
-  /// Bit k % 16 of near[k / 16] tells whether (q − surface k at (x, y))² <= limit.
-  void (*near)(const DepthSurfaces& surfaces, float x, float y, float q, float limit,
-               std::uint32_t* near) noexcept;
 };
 
 /// What the firmware runs and what every other table is compared with.

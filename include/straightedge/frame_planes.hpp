@@ -94,12 +94,13 @@ class FramePlanes {
     }
     const std::size_t small_cells = DepthCells::cell_count(DepthCells::size_of(size, finest));
     visited_ = arena.take<std::uint16_t>(small_cells);
-    list_ = arena.take<std::int32_t>(small_cells);
+    list_ = arena.take<std::int32_t>(small_cells +
+                                     static_cast<std::size_t>(DepthCells::size_of(size, finest).height));
     candidates_ = arena.take<ProposedPlane>(options.max_planes);
     surfaces_ = arena.take<detail::BentPlane>(options.max_planes);
     squares_ = arena.take<double>(options.max_planes);
     sums_ = arena.take<detail::QuadraticSums>(options.max_planes);
-    padded_surfaces_ = detail::take_surfaces(arena, options.max_planes);
+    float_surfaces_ = detail::take_surfaces(arena, options.max_planes);
     contacts_ = arena.take<std::uint32_t>(std::size_t{options.max_planes} * (options.max_planes - 1U) / 2);
     first_ = arena.take<std::uint32_t>(options.max_planes);
     cells_of_ = arena.take<std::uint32_t>(options.max_planes);
@@ -109,7 +110,7 @@ class FramePlanes {
   }
   Status search_round(const DepthView& depth, const PlaneSearch& search,
                       ImageView<const std::uint16_t> labels, PlanesFound& found) noexcept;
-  void assign_cells() noexcept;
+  void assign_cells(bool all) noexcept;
   std::span<std::uint16_t> small_cell_labels() const noexcept {
     return cell_labels_[static_cast<std::size_t>(cells_.finest())];
   }
@@ -134,7 +135,7 @@ class FramePlanes {
   std::span<ProposedPlane> candidates_;
   std::span<detail::BentPlane> surfaces_;
   std::span<double> squares_;  // residuals of each plane's cells from its surface
-  DepthSurfaces padded_surfaces_;
+  DepthSurfaces float_surfaces_;
   std::span<detail::QuadraticSums> sums_;
   std::span<std::uint32_t> contacts_;          // touching cells of each pair of planes
   std::span<std::uint32_t> first_, cells_of_;  // each plane's first cell, and how many it has

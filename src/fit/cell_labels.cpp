@@ -3,217 +3,272 @@
 #include "cell_labels.hpp"
 
 #include <algorithm>
-#include <bit>
 
+#include "depth_surfaces.hpp"
 #include "labels_around.hpp"
+#include "planes_around.hpp"
 
 namespace straightedge::detail {
 namespace {
 
 // A cell is a plane's when the mean square of its residuals is below so many variances of the noise.
 // One for pure noise; a small cell's readings share their noise, so that its mean square strays further.
-constexpr double pure = 2;
-constexpr std::array<double, DepthCells::levels> pure_of_neighbour{4, 3, 2, 2};
+constexpr float pure = 2;
+constexpr std::array<float, DepthCells::levels> pure_of_neighbour{4, 3, 2, 2};
 
 // Cells with fewer readings than this share of their pixels are left to the next finer level.
 constexpr double least_share = 0.2;
 
 // A cell below this leaves no doubt about the smaller ones in it; one below the other not even about those in
 // these.
-constexpr double beyond_doubt = 1;
-constexpr double settled_below = 0.75;
+constexpr float beyond_doubt = 1;
+constexpr float settled_below = 0.75F;
 // A plane that all of a cell is further from than this is nowhere near it.
-constexpr double far_away = 16;
-constexpr std::uint16_t settled = LabelsAround::mark;
-constexpr std::size_t most_planes = 256;
+constexpr float far_away = 16;
 
-double least_readings(int level) noexcept {
-  const std::int32_t side = DepthCells::side_of(level);
-  return least_share * side * side;
+// What is known of a cell beside its label while the finer ones in it are labelled.
+enum class Trust : std::uint8_t { little, much, settles, settled };
+constexpr unsigned trust_shift = 14;
+static_assert((3U << trust_shift) == LabelsAround::mark);
+
+constexpr std::uint16_t with_trust(std::uint16_t label, Trust trust) noexcept {
+  return static_cast<std::uint16_t>(label | static_cast<unsigned>(trust) << trust_shift);
+}
+constexpr Trust trust_of(std::uint16_t marked) noexcept {
+  return static_cast<Trust>(marked >> trust_shift);
+}
+constexpr std::uint16_t label_of(std::uint16_t marked) noexcept {
+  return static_cast<std::uint16_t>(marked & ~LabelsAround::mark);
+}
+constexpr Trust trust_in(const DepthCellPlanes& found, std::int32_t i) noexcept {
+  const float mean = found.mean[i];
+  const auto trust =
+      static_cast<std::uint32_t>(mean < beyond_doubt) + static_cast<std::uint32_t>(mean < settled_below);
+  return static_cast<Trust>(found.label[i] == 0 ? 0U : trust);
 }
 
-std::size_t place_of(Size size, std::int32_t x, std::int32_t y) noexcept {
-  return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+constexpr std::int32_t at_once = DepthCellTask::cells, parents_at_once = at_once / 2;
+
+/// A bit for each of eight parents becomes two: for the cells in them.
+constexpr std::uint32_t cells_of(std::uint32_t parents) noexcept {
+  std::uint32_t x = parents;
+  x = (x | x << 4U) & 0x0F0FU;
+  x = (x | x << 2U) & 0x3333U;
+  x = (x | x << 1U) & 0x5555U;
+  return x | x << 1U;
 }
 
-struct Best {
-  std::uint16_t label = 0;
-  double squares = 1e300;
+/// Eight parents: their labels, and how far these are trusted.
+struct Parents {
+  std::array<std::uint16_t, parents_at_once> label{};
+  std::uint32_t much = 0, settles = 0, settled = 0;
 
-  void offer(std::uint16_t plane, double found) noexcept {
-    if (found < squares) {
-      squares = found;
-      label = plane;
+  Parents(const std::uint16_t* marked, std::int32_t count) noexcept {
+    for (std::int32_t i = 0; i < count; ++i) {
+      const auto trust = static_cast<std::uint32_t>(trust_of(marked[i])), at = static_cast<std::uint32_t>(i);
+      label[static_cast<std::size_t>(i)] = label_of(marked[i]);
+      // Little is 0, much 1, settles 2, settled 3.
+      much |= static_cast<std::uint32_t>(trust != 0) << at;
+      settles |= (trust >> 1U) << at;
+      settled |= (trust & trust >> 1U) << at;
     }
   }
 };
 
-/// What the coarser cell of a block says about it.
-struct Inherited {
-  std::uint16_t label = 0;
-  bool settles = false;
+/// Sixteen cells beside one another, in two rows, with the parents that they lie in.
+struct Group {
+  DepthCellTask task;
+  std::uint32_t settled = 0;  ///< cells whose label is known
+  std::array<std::uint16_t, at_once> label;
+
+  /// The open cells try the planes around them first.
+  void ask(const PlanesAround& around, std::uint32_t open) noexcept {
+    task.asked = 0;
+    for (std::size_t k = 0; k < around.count; ++k) {
+      if ((around.near[k] & open) == 0) continue;
+      task.plane[task.asked] = static_cast<std::uint16_t>(around.label[k] - 1);
+      task.of[task.asked++] = static_cast<std::uint16_t>(around.near[k] & open);
+    }
+  }
 };
 
-/// The labels of one level; a block of 2x2 cells lies in one coarser cell and shares what is around, where
-/// planes are taken for flat.
+/// The labels of one level.
 struct Level {
   const CellLabeller& work;
   const DepthSurfaces& surfaces;  ///< of the planes
-  double middle_u, middle_v;
   const CellLabels& labels;
   int level;
 
   std::span<std::uint16_t> labels_of(int which) const noexcept {
     return labels[static_cast<std::size_t>(which)];
   }
-  LabelsAround around(std::int32_t x, std::int32_t y) const noexcept {
-    if (level + 1 == DepthCells::levels) return {};
-    return LabelsAround(work.cells.size(level + 1), labels_of(level + 1), x / 2, y / 2);
-  }
-  std::uint16_t label_of(const InverseDepthMoments& cell, const LabelsAround& near,
-                         std::span<const InverseDepthPlane> flat) const noexcept {
-    const double q = cell.q / cell.n;
-    const double noise = work.gate.inverse_noise(q);
-    const double unit = cell.n * noise * noise;
-    Best best;
-    for (std::size_t k = 0; k < near.count; ++k) best.offer(near.labels[k], squared_residuals(cell, flat[k]));
-    if (best.squares < pure_of_neighbour[static_cast<std::size_t>(level)] * unit) return best.label;
-    offer_all(cell, noise, best);
-    return best.squares < pure * unit ? best.label : std::uint16_t{0};
-  }
-  void offer_all(const InverseDepthMoments& cell, double noise, Best& best) const noexcept {
-    const double u = cell.u / cell.n, v = cell.v / cell.n;
-    // The squares are at least those of the means: a plane far from them cannot become the cell's.
-    std::array<std::uint32_t, most_planes / DepthSurfaces::step> near;
-    work.kernels.near(surfaces, static_cast<float>(u - middle_u), static_cast<float>(v - middle_v),
-                      static_cast<float>(cell.q / cell.n), static_cast<float>(2 * pure * noise * noise),
-                      near.data());
-    const auto rows = static_cast<std::size_t>(surfaces.count / DepthSurfaces::step);
-    for (std::size_t row = 0; row < rows; ++row) {
-      for (std::uint32_t bits = near[row]; bits != 0; bits &= bits - 1) {
-        const std::size_t k = row * DepthSurfaces::step + static_cast<std::size_t>(std::countr_zero(bits));
-        best.offer(static_cast<std::uint16_t>(k + 1), squared_residuals(cell, work.planes[k].tangent(u, v)));
-      }
-    }
-  }
-  /// The plane of the coarser cell of a block, if it fits so well, and the others around so badly, that no
-  /// part of the cell can be another's; else 0.
-  Inherited inherited(std::int32_t x, std::int32_t y, const LabelsAround& near) const noexcept {
-    if (near.count == 0) return {};
-    const std::size_t place = place_of(work.cells.size(level + 1), x / 2, y / 2);
-    const InverseDepthMoments& cell = work.cells.level(level + 1)[place];
-    const std::uint16_t label = labels_of(level + 1)[place];
-    if (label == 0) return {};
-    const double u = cell.u / cell.n, v = cell.v / cell.n;
-    const double noise = work.gate.inverse_noise(cell.q / cell.n), unit = cell.n * noise * noise;
-    const double squares = squared_residuals(cell, work.planes[label - 1U].tangent(u, v));
-    const bool settles = squares < settled_below * unit;
-    if (!settles && (near.count > 1 || !(squares < beyond_doubt * unit))) return {};
-    for (std::size_t k = 0; near.count > 1 && k < near.count; ++k) {
-      if (near.labels[k] == label) continue;
-      const InverseDepthPlane other = work.planes[near.labels[k] - 1U].tangent(u, v);
-      if (!(squared_residuals(cell, other) > far_away * unit)) return {};
-    }
-    return {label, settles};
-  }
-  /// Gives the label to a block, and to the smallest cells in it.
-  void settle(std::int32_t x, std::int32_t y, std::uint16_t label) const noexcept {
-    for_square(level, x, y, 2, [&](std::size_t place) noexcept {
-      labels_of(level)[place] = static_cast<std::uint16_t>(label | settled);
-    });
-    const auto least = static_cast<std::int32_t>(least_readings(level - 1));
-    const std::uint8_t* counts = work.cells.counts().data();
-    std::uint16_t* out = labels_of(level - 1).data();
-    for_square(level - 1, 2 * x, 2 * y, 4, [=](std::size_t place) noexcept {
-      out[place] = counts[place] > least ? label : std::uint16_t{0};
-    });
-  }
-  template <class Visit>
-  void for_square(int which, std::int32_t x, std::int32_t y, std::int32_t side,
-                  const Visit& visit) const noexcept {
-    const Size size = work.cells.size(which);
-    const std::int32_t right = std::min(x + side, size.width), bottom = std::min(y + side, size.height);
-    const auto across = static_cast<std::size_t>(right - x), apart = static_cast<std::size_t>(size.width);
-    std::size_t row = place_of(size, x, y);
-    for (std::int32_t j = y; j < bottom; ++j, row += apart) {
-      for (std::size_t i = 0; i < across; ++i) visit(row + i);
-    }
-  }
-  bool reads(std::size_t place) const noexcept {
-    const double least = least_readings(level);
-    if (level == work.cells.finest()) return work.cells.counts()[place] >= least;
-    return work.cells.level(level)[place].n >= least;
-  }
-  void block(std::int32_t x, std::int32_t y) const noexcept {
-    const LabelsAround near = around(x, y);
-    const Inherited given = inherited(x, y, near);
-    if (given.settles && level == work.cells.finest() + 1) {
-      settle(x, y, given.label);
-      return;
-    }
+  bool is_finest() const noexcept { return level == work.cells.finest(); }
+  void begin(DepthCellTask& task) const noexcept {
+    const PlaneGate& gate = work.gate;
     const std::int32_t side = DepthCells::side_of(level);
-    std::array<InverseDepthPlane, 9> flat;
-    for (std::size_t k = 0; given.label == 0 && k < near.count; ++k) {
-      flat[k] = work.planes[near.labels[k] - 1U].tangent((x + 1) * side, (y + 1) * side);
-    }
-    for_square(level, x, y, 2, [&](std::size_t place) noexcept {
-      std::uint16_t label = given.label;
-      if (!reads(place)) {
-        label = 0;
-      } else if (label == 0) {
-        label = label_of(work.cells.level(level)[place], near, flat);
-      }
-      labels_of(level)[place] = label;
-    });
+    // As in PlaneGate::inverse_noise.
+    const bool fixed = gate.fixed_m > 0;
+    task.noise = fixed ? 0.0F : static_cast<float>(gate.inverse_sigma);
+    task.noise_of_square = static_cast<float>(fixed ? gate.fixed_m / gate.sigmas : gate.floor_m);
+    task.least = static_cast<float>(least_share * side * side);
+    task.planes = static_cast<std::int32_t>(work.planes.size());
+    task.pure_of_asked = pure_of_neighbour[static_cast<std::size_t>(level)];
+    task.pure = pure;
   }
-  bool is_settled(std::int32_t x, std::int32_t y) const noexcept {
-    if (level != work.cells.finest() || level + 1 == DepthCells::levels) return false;
-    return (labels_of(level + 1)[place_of(work.cells.size(level + 1), x / 2, y / 2)] & settled) != 0;
+  /// Whether all other planes around a parent are so far from it that no part of it can be theirs.
+  bool others_are_far(std::size_t parent, std::uint16_t own, const PlanesAround& around,
+                      std::uint32_t bit) const noexcept {
+    const DepthCell cell = work.cells.at(level + 1, parent);
+    const auto noise = static_cast<float>(work.gate.inverse_noise(static_cast<double>(cell.q)));
+    const float limit = far_away * (cell.n * (noise * noise));
+    for (std::size_t k = 0; k < around.count; ++k) {
+      if ((around.near[k] & bit) == 0 || around.label[k] == own) continue;
+      if (!(squared_residuals(cell, surface_of(surfaces, around.label[k] - 1U)) > limit)) return false;
+    }
+    return true;
+  }
+  /// Of the parents that would settle their cells, those without another plane near.
+  std::uint32_t alone(std::uint32_t parents, std::size_t first, const Parents& own,
+                      const PlanesAround& around) const noexcept {
+    std::uint32_t found = 0;
+    for (std::uint32_t i = 0; i < parents_at_once; ++i) {
+      if ((parents >> i & 1U) != 0 && others_are_far(first + i, own.label[i], around, 1U << i))
+        found |= 1U << i;
+    }
+    return found;
+  }
+  /// What the cells in the parents may take, from what these and those around them have.
+  void open(std::int32_t X, std::int32_t Y, Group& group) const noexcept {
+    const Size size = work.cells.size(level + 1);
+    const std::int32_t count = std::min(parents_at_once, size.width - X);
+    const std::uint32_t all = (1U << static_cast<std::uint32_t>(count)) - 1U;
+    const auto first =
+        static_cast<std::size_t>(Y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(X);
+    const Parents own(labels_of(level + 1).data() + first, count);
+    std::uint32_t settled = own.settled, given = 0, newly_settled = 0;
+    if (settled != all) {
+      const PlanesAround around(size, labels_of(level + 1), {X, Y, parents_at_once});
+      const std::uint32_t only = around.some & ~around.several;
+      const std::uint32_t sure =
+          (only & own.much) | alone(around.several & own.settles & ~settled, first, own, around);
+      if (is_finest()) {
+        settled |= sure;
+      } else {
+        newly_settled = level == work.cells.finest() + 1 ? sure & own.settles : 0U;
+        given = sure & ~newly_settled;
+      }
+      ask(own, around, given, all & ~(settled | newly_settled), group);
+    }
+    group.settled = cells_of(settled | newly_settled);
+    group.task.given = cells_of(given);
+    group.task.open = cells_of(all & ~(settled | newly_settled));
+    for (std::uint32_t i = 0; group.settled != 0 && i < parents_at_once; ++i) {
+      const bool marked = !is_finest() && ((settled | newly_settled) >> i & 1U) != 0;
+      const std::uint16_t label = marked ? with_trust(own.label[i], Trust::settled) : own.label[i];
+      group.label[2 * i] = group.label[2 * i + 1] = label;
+    }
+  }
+  /// The given parents' cells ask for their plane alone, the other open ones for all around.
+  static void ask(const Parents& own, const PlanesAround& around, std::uint32_t given, std::uint32_t open,
+                  Group& group) noexcept {
+    for (std::size_t k = 0; k < around.count; ++k) {
+      std::uint32_t parents = around.near[k] & open;
+      for (std::uint32_t i = 0; (parents & given) >> i != 0; ++i) {
+        if ((given >> i & 1U) != 0 && own.label[i] != around.label[k]) parents &= ~(1U << i);
+      }
+      if (parents == 0) continue;
+      group.task.plane[group.task.asked] = static_cast<std::uint16_t>(around.label[k] - 1);
+      group.task.of[group.task.asked++] = static_cast<std::uint16_t>(cells_of(parents));
+    }
+  }
+  void write_row(Group& group, std::int32_t x, std::int32_t y) const noexcept {
+    const Size size = work.cells.size(level);
+    const std::int32_t count = std::min(at_once, size.width - x);
+    const auto place =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+    std::uint16_t* out = labels_of(level).data() + place;
+    DepthCellTask& task = group.task;
+    task.at = work.cells.rows(level, place);
+    for (std::int32_t i = 0; group.settled != 0 && i < count; ++i) {
+      out[i] = task.at.first[i] >= task.least ? group.label[static_cast<std::size_t>(i)] : std::uint16_t{0};
+    }
+    const std::uint32_t open = task.open;
+    task.open &= (1U << static_cast<std::uint32_t>(count)) - 1U;
+    if (task.open != 0) {
+      DepthCellPlanes found;
+      work.kernels.choose_planes(task, surfaces, found);
+      for (std::int32_t i = 0; i < count; ++i) {
+        const std::uint16_t marked =
+            is_finest() ? found.label[i] : with_trust(found.label[i], trust_in(found, i));
+        out[i] = (open >> static_cast<std::uint32_t>(i) & 1U) != 0 ? marked : out[i];
+      }
+    }
+    task.open = open;
+  }
+  void label_below(std::int32_t X, std::int32_t Y) const noexcept {
+    Group group;
+    begin(group.task);
+    open(X, Y, group);
+    const std::int32_t bottom = std::min(2 * Y + 2, work.cells.size(level).height);
+    for (std::int32_t y = 2 * Y; y < bottom; ++y) write_row(group, 2 * X, y);
+  }
+  void label_coarsest() const noexcept {
+    const Size size = work.cells.size(level);
+    Group group;
+    begin(group.task);
+    group.task.open = 0xFFFF;
+    for (std::int32_t y = 0; y < size.height; ++y) {
+      for (std::int32_t x = 0; x < size.width; x += at_once) write_row(group, x, y);
+    }
+  }
+  void label() const noexcept {
+    if (level + 1 == DepthCells::levels) return label_coarsest();
+    const Size coarse = work.cells.size(level + 1);
+    for (std::int32_t Y = 0; Y < coarse.height; ++Y) {
+      for (std::int32_t X = 0; X < coarse.width; X += parents_at_once) label_below(X, Y);
+    }
+    for (std::uint16_t& marked : labels_of(level + 1)) marked = label_of(marked);
   }
 };
 
-/// Writes the planes into the arrays; what fills them up is far from everything.
-DepthSurfaces fill_surfaces(std::span<const BentPlane> planes, double u0, double v0,
-                            const DepthSurfaces& room) noexcept {
-  DepthSurfaces s = room;
-  const auto count = static_cast<std::int32_t>(planes.size());
-  s.count = (count + DepthSurfaces::step - 1) / DepthSurfaces::step * DepthSurfaces::step;
-  for (std::int32_t k = 0; k < s.count; ++k) {
-    s.c[k] = 1e18F;
-    s.x[k] = s.y[k] = s.xx[k] = s.xy[k] = s.yy[k] = 0;
-  }
-  for (std::int32_t k = 0; k < count; ++k) {
-    const BentPlane& plane = planes[static_cast<std::size_t>(k)];
-    const InverseDepthPlane flat = plane.tangent(u0, v0);
-    s.c[k] = static_cast<float>(plane.at(u0, v0));
-    s.x[k] = static_cast<float>(flat.a);
-    s.y[k] = static_cast<float>(flat.b);
-    s.xx[k] = static_cast<float>(plane.uu);
-    s.xy[k] = static_cast<float>(plane.uv);
-    s.yy[k] = static_cast<float>(plane.vv);
-  }
-  return s;
-}
-
 }  // namespace
 
-void CellLabeller::label(const CellLabels& labels) const noexcept {
-  const Size small = cells.size(cells.finest());
-  const double half = DepthCells::side_of(cells.finest()) / 2.0;
-  const double middle_u = half * small.width, middle_v = half * small.height;
-  const DepthSurfaces filled = fill_surfaces(planes, middle_u, middle_v, surfaces);
-  for (int level = DepthCells::levels - 1; level >= cells.finest(); --level) {
-    const Level work{*this, filled, middle_u, middle_v, labels, level};
-    const Size size = cells.size(level);
-    for (std::int32_t y = 0; y < size.height; y += 2) {
-      for (std::int32_t x = 0; x < size.width; x += 2) {
-        if (!work.is_settled(x, y)) work.block(x, y);
+void CellLabeller::label_rest(std::span<std::uint16_t> labels) const noexcept {
+  fill_surfaces(planes, cells, surfaces);
+  const int finest = cells.finest();
+  const Size size = cells.size(finest);
+  Group group;
+  Level{*this, surfaces, {}, finest}.begin(group.task);
+  const auto least = static_cast<std::int32_t>(group.task.least);
+  for (std::int32_t y = 0; y < size.height; ++y) {
+    for (std::int32_t x = 0; x < size.width; x += at_once) {
+      const CellRun run{x, y, std::min(at_once, size.width - x)};
+      const std::size_t place =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+      std::uint16_t* out = labels.data() + place;
+      const std::uint8_t* counts = cells.counts().data() + place;
+      std::uint32_t open = 0;
+      for (std::int32_t i = 0; i < run.count; ++i) {
+        open |= static_cast<std::uint32_t>((out[i] == 0) & (counts[i] > least))
+                << static_cast<std::uint32_t>(i);
+      }
+      if (open == 0) continue;
+      group.task.open = open;
+      group.task.at = cells.rows(finest, place);
+      group.ask(PlanesAround(size, labels, run), open);
+      DepthCellPlanes found;
+      kernels.choose_planes(group.task, surfaces, found);
+      for (std::int32_t i = 0; i < run.count; ++i) {
+        out[i] = static_cast<std::uint16_t>(out[i] | found.label[i]);
       }
     }
   }
-  if (cells.finest() + 1 == DepthCells::levels) return;
-  for (std::uint16_t& label : labels[static_cast<std::size_t>(cells.finest()) + 1]) {
-    label = static_cast<std::uint16_t>(label & ~settled);
+}
+
+void CellLabeller::label(const CellLabels& labels) const noexcept {
+  fill_surfaces(planes, cells, surfaces);
+  for (int level = DepthCells::levels - 1; level >= cells.finest(); --level) {
+    Level{*this, surfaces, labels, level}.label();
   }
 }
 

@@ -20,10 +20,12 @@ struct CellLabeller {
   std::span<const BentPlane> planes;
   const PlaneGate& gate;
   const DepthKernels& kernels;
-  /// Room for the planes once more, in 32 bits and counted from the picture's middle.
+  /// Room for the planes once more, as the cells see them.
   const DepthSurfaces& surfaces;
 
   void label(const CellLabels& labels) const noexcept;
+  /// Smallest cells without a label alone: each takes one of those around it, if one fits, else the best.
+  void label_rest(std::span<std::uint16_t> labels) const noexcept;
 };
 
 }  // namespace straightedge::detail

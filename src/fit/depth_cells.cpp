@@ -24,30 +24,6 @@ InverseDepthMoments sum_cell(ImageView<const float> inverse_depth, std::int32_t 
   return m;
 }
 
-/// A whole cell whose pixels all have a reading: what does not depend on q is known.
-struct FullCells {
-  double n, first, second, mixed;  // sums of 1, u, uu, uv from the cell's corner
-
-  explicit FullCells(double side) noexcept
-      : n(side * side),
-        first(side * (side * (side - 1) / 2)),
-        second(first * (2 * side - 1) / 3),
-        mixed(side * (side - 1) / 2 * (side * (side - 1) / 2)) {}
-  InverseDepthMoments at(double left, double top, const DepthCellSums& sums) const noexcept {
-    const double u = first + n * left, v = first + n * top;
-    return {n,
-            u,
-            v,
-            second + left * (first + u),
-            mixed + left * first + top * u,
-            second + top * (first + v),
-            sums.q,
-            sums.uq + left * sums.q,
-            sums.vq + top * sums.q,
-            sums.qq};
-  }
-};
-
 /// A whole cell some of whose pixels have no reading: q is summed up already.
 InverseDepthMoments of_broken_cell(ImageView<const float> inverse_depth, std::int32_t side, std::int32_t left,
                                    std::int32_t top, const DepthCellSums& sums) noexcept {
@@ -71,38 +47,96 @@ InverseDepthMoments of_broken_cell(ImageView<const float> inverse_depth, std::in
   const auto number = [](std::int32_t i) noexcept { return static_cast<double>(i); };
   const InverseDepthMoments cell{number(n),  number(u), number(v), number(uu), number(uv),
                                  number(vv), sums.q,    sums.uq,   sums.vq,    sums.qq};
-  return cell.seen_from(-left, -top);
+  return cell;
 }
 
-/// Cells of one size in a picture.
+/// Cells of one size in a row of the picture.
 struct CellRow {
   ImageView<const float> inverse_depth;
   std::int32_t side, top;
+  DepthCells& cells;
 
-  InverseDepthMoments sum(std::int32_t left) const noexcept {
-    const std::int32_t right = std::min(left + side, inverse_depth.width);
-    return sum_cell(inverse_depth, left, top, right, std::min(top + side, inverse_depth.height))
-        .seen_from(-left, -top);
+  void sum(std::int32_t x, std::size_t place) const noexcept {
+    const std::int32_t left = x * side, right = std::min(left + side, inverse_depth.width);
+    set(sum_cell(inverse_depth, left, top, right, std::min(top + side, inverse_depth.height)), x, place);
   }
-  /// Whole cells.
-  void add(std::int32_t first, std::span<const DepthCellSums> sums, InverseDepthMoments* out,
-           std::uint8_t* counts) const noexcept {
-    const std::int32_t full = side * side;
-    const FullCells cells(side);
+  /// Whole cells, the first of them x.
+  void add(std::int32_t x, std::span<const DepthCellSums> sums, std::size_t place,
+           const DepthKernels& kernels) const noexcept {
+    const std::int32_t full = side * side, count = static_cast<std::int32_t>(sums.size());
+    kernels.whole_cells(sums.data(), side, count, static_cast<float>(x * side - cells.middle_u()),
+                        static_cast<float>(top - cells.middle_v()), cells.rows(cells.finest(), place));
     for (std::size_t i = 0; i < sums.size(); ++i) {
-      const std::int32_t left = (first + static_cast<std::int32_t>(i)) * side;
-      counts[i] = static_cast<std::uint8_t>(std::min(sums[i].n, most_counted));
-      if (sums[i].n == full) {
-        out[i] = cells.at(left, top, sums[i]);
-      } else {
-        out[i] =
-            sums[i].n == 0 ? InverseDepthMoments{} : of_broken_cell(inverse_depth, side, left, top, sums[i]);
-      }
+      cells.counts()[place + i] = static_cast<std::uint8_t>(std::min(sums[i].n, most_counted));
+      if (sums[i].n == full) continue;
+      const std::int32_t column = x + static_cast<std::int32_t>(i);
+      set(sums[i].n == 0 ? InverseDepthMoments{}
+                         : of_broken_cell(inverse_depth, side, column * side, top, sums[i]),
+          column, place + i);
     }
+  }
+
+ private:
+  /// Sums counted from the cell's corner.
+  void set(const InverseDepthMoments& m, std::int32_t x, std::size_t place) const noexcept {
+    const double n = m.n > 0 ? m.n : 1;
+    const double u = m.u / n, v = m.v / n, q = m.q / n;
+    const auto number = [](double sum) noexcept { return static_cast<float>(sum); };
+    cells.set(cells.finest(), place,
+              {number(m.n), number(u + (x * side - cells.middle_u())), number(v + (top - cells.middle_v())),
+               number(q), number(m.uu - u * m.u), number(m.uv - u * m.v), number(m.vv - v * m.v),
+               number(m.uq - u * m.q), number(m.vq - v * m.q), number(m.qq - q * m.q)});
+    cells.counts()[place] = static_cast<std::uint8_t>(std::min(static_cast<std::int32_t>(m.n), most_counted));
   }
 };
 
+/// Up to two rows of up to two cells that make one at the picture's border.
+struct CornerCells {
+  std::array<float, std::size_t{4} * DepthCellRows::kinds> of{};
+
+  CornerCells(const DepthCellRows& from, std::int32_t width, std::int32_t across,
+              std::int32_t down) noexcept {
+    for (std::ptrdiff_t kind = 0; kind < DepthCellRows::kinds; ++kind) {
+      for (std::int32_t y = 0; y < down; ++y) {
+        for (std::int32_t x = 0; x < across; ++x) {
+          of[static_cast<std::size_t>(4 * kind + 2 * y + x)] = from.first[kind * from.apart + y * width + x];
+        }
+      }
+    }
+  }
+  DepthCellRows rows() noexcept { return {of.data(), 4}; }
+};
+
+std::size_t place_of(Size size, std::int32_t x, std::int32_t y) noexcept {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+}
+
 }  // namespace
+
+void DepthCells::set(int level, std::size_t place, const DepthCell& cell) noexcept {
+  const DepthCellRows r = rows(level, place);
+  const float numbers[DepthCellRows::kinds] = {cell.n,  cell.u,  cell.v,  cell.q,  cell.uu,
+                                               cell.uv, cell.vv, cell.uq, cell.vq, cell.qq};
+  for (std::ptrdiff_t kind = 0; kind < DepthCellRows::kinds; ++kind) r.first[kind * r.apart] = numbers[kind];
+}
+
+InverseDepthMoments DepthCells::moments(int level, std::size_t place) const noexcept {
+  const DepthCell cell = at(level, place);
+  const auto number = [](float x) noexcept { return static_cast<double>(x); };
+  const double n = number(cell.n), q = number(cell.q);
+  const double u = number(cell.u) + middle_u_, v = number(cell.v) + middle_v_;
+  if (!(n > 0)) return {};
+  return {n,
+          n * u,
+          n * v,
+          n * u * u + number(cell.uu),
+          n * u * v + number(cell.uv),
+          n * v * v + number(cell.vv),
+          n * q,
+          n * u * q + number(cell.uq),
+          n * v * q + number(cell.vq),
+          n * q * q + number(cell.qq)};
+}
 
 void DepthCells::build(ImageView<const float> inverse_depth, const DepthKernels& kernels) noexcept {
   // Step 1.
@@ -110,10 +144,8 @@ void DepthCells::build(ImageView<const float> inverse_depth, const DepthKernels&
   std::array<DepthCellSums, at_once> sums;
   const Size cells = size(finest_);
   const std::int32_t pixels = side_of(finest_), whole_columns = inverse_depth.width / pixels;
-  InverseDepthMoments* out = level(finest_).data();
-  std::uint8_t* counts = counts_.data();
-  for (std::int32_t y = 0; y < cells.height; ++y, out += cells.width, counts += cells.width) {
-    const CellRow row{inverse_depth, pixels, y * pixels};
+  for (std::int32_t y = 0; y < cells.height; ++y) {
+    const CellRow row{inverse_depth, pixels, y * pixels, *this};
     std::int32_t x = 0;
     if (row.top + pixels <= inverse_depth.height) {
       for (; x < whole_columns; x += at_once) {
@@ -121,32 +153,27 @@ void DepthCells::build(ImageView<const float> inverse_depth, const DepthKernels&
         const float* corner = inverse_depth.row(row.top) + static_cast<std::ptrdiff_t>(x) * pixels;
         kernels.sum_cells({corner, inverse_depth.stride / static_cast<std::ptrdiff_t>(sizeof(float))}, pixels,
                           count, sums.data());
-        row.add(x, std::span(sums).first(static_cast<std::size_t>(count)), out + x, counts + x);
+        row.add(x, std::span(sums).first(static_cast<std::size_t>(count)), place_of(cells, x, y), kernels);
       }
       x = whole_columns;
     }
-    for (; x < cells.width; ++x) {
-      out[x] = row.sum(x * pixels);
-      counts[x] = static_cast<std::uint8_t>(std::min(static_cast<std::int32_t>(out[x].n), most_counted));
-    }
+    for (; x < cells.width; ++x) row.sum(x, place_of(cells, x, y));
   }
-  sum_up();
+  sum_up(kernels);
 }
 
-void DepthCells::sum_up() noexcept {
+void DepthCells::sum_up(const DepthKernels& kernels) noexcept {
   // Step 2.
   for (int fine = finest_; fine + 1 < levels; ++fine) {
     const Size from = size(fine), to = size(fine + 1);
-    InverseDepthMoments* out = level(fine + 1).data();
     for (std::int32_t y = 0; y < to.height; ++y) {
-      const InverseDepthMoments* upper = level(fine).data() + static_cast<std::ptrdiff_t>(2 * y) * from.width;
-      const InverseDepthMoments* lower = 2 * y + 1 < from.height ? upper + from.width : nullptr;
-      for (std::int32_t x = 0; x < to.width; ++x, ++out) {
-        const bool pair = 2 * x + 1 < from.width;
-        *out = upper[2 * x];
-        if (pair) out->add(upper[2 * x + 1]);
-        if (lower != nullptr) out->add(lower[2 * x]);
-        if (lower != nullptr && pair) out->add(lower[2 * x + 1]);
+      const std::int32_t down = std::min(2, from.height - 2 * y), whole = down == 2 ? from.width / 2 : 0;
+      kernels.join_cells(rows(fine, place_of(from, 0, 2 * y)), from.width, whole,
+                         rows(fine + 1, place_of(to, 0, y)));
+      for (std::int32_t x = whole; x < to.width; ++x) {
+        CornerCells corner(rows(fine, place_of(from, 2 * x, 2 * y)), from.width,
+                           std::min(2, from.width - 2 * x), down);
+        kernels.join_cells(corner.rows(), 2, 1, rows(fine + 1, place_of(to, x, y)));
       }
     }
   }

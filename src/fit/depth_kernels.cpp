@@ -3,14 +3,13 @@
 #include "straightedge/depth_kernels.hpp"
 
 #include "base/kernel_set.hpp"
+#include "depth_cell_kernels.hpp"
 
 namespace straightedge {
 namespace STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
 constexpr std::int32_t pixels = DepthChoice::side * DepthChoice::side;
-constexpr std::int32_t columns = 32;  // that are summed at once: their sums lie on the stack
-constexpr std::int32_t band = 4;      // rows that are summed at once
 
 void invert(const std::uint16_t* raw, std::int32_t width, float scale, float* inverse) noexcept {
   for (std::int32_t x = 0; x < width; ++x) {
@@ -21,89 +20,74 @@ void invert(const std::uint16_t* raw, std::int32_t width, float scale, float* in
   }
 }
 
-struct ColumnSums {
-  float reading[band][columns];  // of the rows at hand, 0 where there is none
-  double q[columns], vq[columns], qq[columns];
-  std::int32_t n[columns];
-};
-
-void take_row(const float* row, std::int32_t width, float* reading, std::int32_t* n) noexcept {
+/// Whether a reading of the row is not the plane's.
+bool label_row(const float* q, std::int32_t width, float first, float slope, float limit, std::uint16_t label,
+               std::uint16_t* __restrict out) noexcept {
+  std::int32_t missed = 0;
   for (std::int32_t x = 0; x < width; ++x) {
-    reading[x] = row[x] > 0 ? row[x] : 0.0F;
-    n[x] += static_cast<std::int32_t>(row[x] > 0);
+    const float r = q[x] - (first + slope * static_cast<float>(x));
+    const bool reads = q[x] > 0, near = (r < limit) & (r > -limit);
+    out[x] = (near & reads) ? label : std::uint16_t{0};
+    missed |= (reads & !near) ? 1 : 0;
   }
+  return missed != 0;
 }
 
-/// Adds four rows, the first of which is row v of the cells.
-void add_rows(const DepthRows& rows, std::int32_t width, double v, ColumnSums& sums) noexcept {
-  for (std::int32_t i = 0; i < band; ++i) {
-    take_row(rows.first + i * rows.stride, width, sums.reading[i], sums.n);
-  }
-  for (std::int32_t x = 0; x < width; ++x) {
-    const double q0 = static_cast<double>(sums.reading[0][x]), q1 = static_cast<double>(sums.reading[1][x]);
-    const double q2 = static_cast<double>(sums.reading[2][x]), q3 = static_cast<double>(sums.reading[3][x]);
-    const double q = (q0 + q1) + (q2 + q3);
-    sums.q[x] += q;
-    sums.vq[x] += v * q + ((q1 + 2 * q2) + 3 * q3);
-    sums.qq[x] += (q0 * q0 + q1 * q1) + (q2 * q2 + q3 * q3);
-  }
-}
-
-DepthCellSums sum_columns(const ColumnSums& sums, std::int32_t first, std::int32_t side) noexcept {
-  DepthCellSums cell;
-  for (std::int32_t i = 0; i < side; i += band) {
-    const double* q = sums.q + first + i;
-    const double* vq = sums.vq + first + i;
-    const double* qq = sums.qq + first + i;
-    const std::int32_t* n = sums.n + first + i;
-    const double sum = (q[0] + q[1]) + (q[2] + q[3]);
-    cell.q += sum;
-    cell.uq += i * sum + ((q[1] + 2 * q[2]) + 3 * q[3]);
-    cell.vq += (vq[0] + vq[1]) + (vq[2] + vq[3]);
-    cell.qq += (qq[0] + qq[1]) + (qq[2] + qq[3]);
-    cell.n += (n[0] + n[1]) + (n[2] + n[3]);
-  }
-  return cell;
-}
-
-void sum_cells(const DepthRows& corner, std::int32_t side, std::int32_t cells, DepthCellSums* out) noexcept {
-  ColumnSums sums;
-  for (std::int32_t cell = 0; cell < cells; cell += columns / side) {
-    const std::int32_t left = cells - cell, at_once = left < columns / side ? left : columns / side;
-    const std::int32_t width = at_once * side;
-    for (std::int32_t x = 0; x < columns; ++x) {
-      sums.q[x] = sums.vq[x] = sums.qq[x] = 0;
-      sums.n[x] = 0;
-    }
-    for (std::int32_t v = 0; v < side; v += band) {
-      add_rows({corner.first + v * corner.stride + cell * side, corner.stride}, width, v, sums);
-    }
-    for (std::int32_t i = 0; i < at_once; ++i) out[cell + i] = sum_columns(sums, i * side, side);
-  }
-}
-
-DepthBlockCounts label_block(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride) noexcept {
-  DepthBlockCounts counts;
-  const float slope = static_cast<float>(block.along), limit = block.limit;
-  const std::uint16_t label = block.label;
-  const std::int32_t width = block.width;
+std::uint32_t label_block(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride) noexcept {
+  std::uint32_t missed = 0;
+  const float slope = static_cast<float>(block.along);
   for (std::int32_t y = 0; y < block.height; ++y) {
     const float* q = block.rows.first + y * block.rows.stride;
-    std::uint16_t* out = labels + y * stride;
     const float first = static_cast<float>(block.at + block.down * y);
-    std::int32_t readings = 0, labelled = 0;
-    for (std::int32_t x = 0; x < width; ++x) {
-      const float r = q[x] - (first + slope * static_cast<float>(x));
-      const bool reads = q[x] > 0;
-      const bool fits = (r < limit) & (r > -limit) & reads;
-      out[x] = fits ? label : std::uint16_t{0};
-      readings += reads ? 1 : 0;
-      labelled += fits ? 1 : 0;
-    }
-    counts.labelled += labelled;
-    counts.rows_missed |= (readings != labelled ? 1U : 0U) << static_cast<std::uint32_t>(y);
+    const bool some = label_row(q, block.width, first, slope, block.limit, block.label, labels + y * stride);
+    missed |= (some ? 1U : 0U) << static_cast<std::uint32_t>(y);
   }
-  return counts;
+  return missed;
+}
+
+constexpr std::int32_t cells_at_once = 64;
+
+/// Greatest label of three, and the least but 0, from x − 1 on: without a plane a cell is 0 in the one, 65535
+/// in the other.
+struct Extremes {
+  std::uint16_t greatest[cells_at_once + 2], least[cells_at_once + 2];
+
+  void look(const std::uint16_t* above, const std::uint16_t* here, const std::uint16_t* below,
+            std::int32_t first, std::int32_t count) noexcept {
+    std::uint16_t *most = greatest + first, *fewest = least + first;
+    for (std::int32_t i = 0; i < count; ++i) {
+      const std::uint16_t a = above[i], b = here[i], c = below[i], x = a > b ? a : b;
+      const auto u = static_cast<std::uint16_t>(a - 1), v = static_cast<std::uint16_t>(b - 1);
+      const auto w = static_cast<std::uint16_t>(c - 1);
+      const std::uint16_t y = u < v ? u : v;
+      most[i] = x > c ? x : c;
+      fewest[i] = y < w ? y : w;
+    }
+  }
+};
+
+void judge(const Extremes& e, std::int32_t count, std::uint16_t* __restrict around) noexcept {
+  for (std::int32_t i = 0; i < count; ++i) {
+    const std::uint16_t a = e.greatest[i], b = e.greatest[i + 1], c = e.greatest[i + 2], x = a > b ? a : b;
+    const std::uint16_t u = e.least[i], v = e.least[i + 1], w = e.least[i + 2], y = u < v ? u : v;
+    const std::uint16_t greatest = x > c ? x : c, least = y < w ? y : w;
+    // Both are one label, or there is none: least is 65535 then, one less than 0.
+    around[i] = static_cast<std::uint16_t>(greatest - 1) == least ? greatest : std::uint16_t{0xFFFF};
+  }
+}
+
+void look_around(const std::uint16_t* above, const std::uint16_t* here, const std::uint16_t* below,
+                 std::int32_t width, std::uint16_t* around) noexcept {
+  Extremes e;
+  for (std::int32_t x = 0; x < width; x += cells_at_once) {
+    const std::int32_t left = width - x, count = left < cells_at_once ? left : cells_at_once;
+    // Cells x − 1 to x + count, as far as there are any.
+    const std::int32_t begin = x > 0 ? x - 1 : 0, end = x + count < width ? x + count + 1 : width;
+    e.greatest[0] = e.greatest[count + 1] = 0;
+    e.least[0] = e.least[count + 1] = 0xFFFF;
+    e.look(above + begin, here + begin, below + begin, begin - (x - 1), end - begin);
+    judge(e, count, around + x);
+  }
 }
 
 /// A number for each of the 4x4 pixels.
@@ -210,30 +194,18 @@ void choose(const DepthChoice& pixel, std::int32_t* chosen) noexcept {
   }
 }
 
-constexpr std::uint32_t bit[DepthSurfaces::step] = {
-    1U << 0U, 1U << 1U, 1U << 2U,  1U << 3U,  1U << 4U,  1U << 5U,  1U << 6U,  1U << 7U,
-    1U << 8U, 1U << 9U, 1U << 10U, 1U << 11U, 1U << 12U, 1U << 13U, 1U << 14U, 1U << 15U};
-
-void near(const DepthSurfaces& s, float x, float y, float q, float limit, std::uint32_t* near) noexcept {
-  const float xx = x * x, xy = x * y, yy = y * y;
-  for (std::int32_t first = 0; first < s.count; first += DepthSurfaces::step, ++near) {
-    const float *c = s.c + first, *cx = s.x + first, *cy = s.y + first;
-    const float *cxx = s.xx + first, *cxy = s.xy + first, *cyy = s.yy + first;
-    std::uint32_t bits = 0;
-    for (std::int32_t k = 0; k < DepthSurfaces::step; ++k) {
-      const float at = (c[k] + cx[k] * x) + (cy[k] * y + cxx[k] * xx) + (cxy[k] * xy + cyy[k] * yy);
-      const float off = q - at;
-      bits |= off * off <= limit ? bit[k] : 0U;
-    }
-    *near = bits;
-  }
-}
-
 }  // namespace
 }  // namespace STRAIGHTEDGE_KERNEL_SET
 
 constinit const DepthKernels STRAIGHTEDGE_OF_SET(_depth_kernels) = {
-    STRAIGHTEDGE_KERNEL_SET::invert, STRAIGHTEDGE_KERNEL_SET::sum_cells, STRAIGHTEDGE_KERNEL_SET::label_block,
-    STRAIGHTEDGE_KERNEL_SET::choose, STRAIGHTEDGE_KERNEL_SET::near};
+    .invert = STRAIGHTEDGE_KERNEL_SET::invert,
+    .sum_cells = STRAIGHTEDGE_KERNEL_SET::sum_cells,
+    .whole_cells = STRAIGHTEDGE_KERNEL_SET::whole_cells,
+    .join_cells = STRAIGHTEDGE_KERNEL_SET::join_cells,
+    .choose_planes = STRAIGHTEDGE_KERNEL_SET::choose_planes,
+    .label_block = STRAIGHTEDGE_KERNEL_SET::label_block,
+    .look_around = STRAIGHTEDGE_KERNEL_SET::look_around,
+    .choose = STRAIGHTEDGE_KERNEL_SET::choose,
+};
 
 }  // namespace straightedge

@@ -55,10 +55,15 @@ Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
   return Status::ok;
 }
 
-void FramePlanes::assign_cells() noexcept {
+void FramePlanes::assign_cells(bool all) noexcept {
   // Step 3.
-  detail::CellLabeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels, padded_surfaces_}
-      .label(cell_labels_);
+  const detail::CellLabeller labeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels,
+                                      float_surfaces_};
+  if (all) {
+    labeller.label(cell_labels_);
+  } else {
+    labeller.label_rest(small_cell_labels());
+  }
 }
 
 void FramePlanes::refit(const PinholeCamera& camera) noexcept {
@@ -152,19 +157,18 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
     if (shape != detail::PlaneShape::flat) dropped_ = true;
     if (shape != detail::PlaneShape::bent) continue;
     changed = true;
-    for (const std::int32_t cell : list_.first(solid)) {
-      const std::uint16_t owner = labels[static_cast<std::size_t>(cell)];
-      if (owner == label || owner == 0) clear_cell(cell);
-    }
+    detail::for_cells(list_.first(solid), 1, [&](std::size_t cell) noexcept {
+      if (labels[cell] == label || labels[cell] == 0) clear_cell(static_cast<std::int32_t>(cell));
+    });
   }
   keep();
-  if (changed) cells_.sum_up();
+  if (changed) cells_.sum_up(*options_.kernels);
 }
 
 void FramePlanes::clear_cell(std::int32_t cell) noexcept {
   const std::int32_t side = options_.cell, width = cells_.size(cells_.finest()).width;
   const std::int32_t left = cell % width * side, top = cell / width * side;
-  cells_.level(cells_.finest())[static_cast<std::size_t>(cell)] = {};
+  cells_.set(cells_.finest(), static_cast<std::size_t>(cell), {});
   cells_.counts()[static_cast<std::size_t>(cell)] = 0;
   small_cell_labels()[static_cast<std::size_t>(cell)] = 0;
   for (std::int32_t y = top; y < std::min(top + side, size_.height); ++y) {
@@ -185,7 +189,7 @@ Status FramePlanes::search_round(const DepthView& depth, const PlaneSearch& sear
     surfaces_[count_ + k] = {.plane = room[k].fit.plane};
   }
   count_ += added;
-  assign_cells();
+  assign_cells(true);
   refit(depth.camera);
   judge(depth.camera, false);
   return Status::ok;
@@ -203,7 +207,11 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   if (read != Status::ok) return read;
   cells_.build(inverse_depth_, *options_.kernels);
   double readings = 0;
-  for (const InverseDepthMoments& cell : cells_.level(DepthCells::levels - 1)) readings += cell.n;
+  const int coarsest = DepthCells::levels - 1;
+  const float* of_cells = cells_.rows(coarsest, 0).first;
+  for (std::size_t i = 0; i < DepthCells::cell_count(cells_.size(coarsest)); ++i) {
+    readings += static_cast<double>(of_cells[i]);
+  }
   found.readings = static_cast<std::uint32_t>(readings);
   // Steps 2 to 6.
   Status status = search_round(depth, search, {}, found);
@@ -221,14 +229,15 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
                            std::span<FoundPlane> planes, PlanesFound& found) noexcept {
   // Step 7.
   if (dropped_) {
-    assign_cells();
+    assign_cells(false);
     refit(depth.camera);
   }
   sort_by_cells();
   judge(depth.camera, true);
   detail::PixelLabeller{inverse_depth_,          cells_,        small_cell_labels(),
-                        surfaces_.first(count_), options_.gate, *options_.kernels}
-      .label(labels, moments_, list_);
+                        surfaces_.first(count_), options_.gate, *options_.kernels,
+                        float_surfaces_}
+      .label(labels, moments_, visited_);
   // Step 8.
   const std::span<std::uint16_t> order = becomes_;
   sort_by_pixels(moments_.first(count_), order.first(count_));

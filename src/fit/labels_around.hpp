@@ -14,8 +14,8 @@ namespace straightedge::detail {
 
 /// The different planes of a cell and the eight around it, in the order of rows.
 struct LabelsAround {
-  /// Set beside a label, it says something about its cell; not looked at here.
-  static constexpr std::uint16_t mark = 0x8000;
+  /// Beside a label these say something about its cell; not looked at here.
+  static constexpr std::uint16_t mark = 0xC000;
 
   static constexpr std::size_t most = 9;
   std::array<std::uint16_t, most> labels{};

@@ -46,15 +46,13 @@ void PixelChoice::label_cell(std::int32_t x, std::int32_t y) noexcept {
   const Size size = work_.cells.size(finest);
   const LabelsAround around(size, work_.cell_labels, x, y);
   const std::int32_t cell = DepthCells::side_of(finest), left = x * cell, top = y * cell;
-  const InverseDepthMoments* sum =
-      cell == side
-          ? &work_.cells.level(finest)[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
-                                       static_cast<std::size_t>(x)]
-          : nullptr;
+  const auto place =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+  const std::size_t* own = cell == side ? &place : nullptr;
   const std::int32_t right = std::min(left + cell, labels_.width),
                      bottom = std::min(top + cell, labels_.height);
   for (std::int32_t j = top; j < bottom; j += side) {
-    for (std::int32_t i = left; i < right; i += side) label_square(i, j, around, sum);
+    for (std::int32_t i = left; i < right; i += side) label_square(i, j, around, own);
   }
 }
 
@@ -75,7 +73,7 @@ void PixelChoice::look(std::int32_t left, std::int32_t top) noexcept {
 }
 
 void PixelChoice::label_square(std::int32_t left, std::int32_t top, const LabelsAround& around,
-                               const InverseDepthMoments* sum) noexcept {
+                               const std::size_t* cell) noexcept {
   look(left, top);
   choice_.planes = static_cast<std::int32_t>(around.count);
   for (std::size_t k = 0; k < around.count; ++k) {
@@ -89,9 +87,9 @@ void PixelChoice::label_square(std::int32_t left, std::int32_t top, const Labels
   std::array<std::int32_t, pixels> chosen;
   work_.kernels.choose(choice_, chosen.data());
   write(left, top, around, chosen.data());
-  const Alike all = sum != nullptr ? alike(chosen.data()) : Alike{};
-  if (all.chosen != 0 && all.count == sum->n) {
-    moments_[around.labels[static_cast<std::size_t>(all.chosen) - 1] - 1U].add(*sum);
+  const Alike all = cell != nullptr ? alike(chosen.data()) : Alike{};
+  if (all.chosen != 0 && all.count == static_cast<double>(work_.cells.rows(0, *cell).first[0])) {
+    moments_[around.labels[static_cast<std::size_t>(all.chosen) - 1] - 1U].add(work_.cells.moments(0, *cell));
   } else {
     add(left, top, around, chosen.data());
   }

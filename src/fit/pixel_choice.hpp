@@ -29,7 +29,7 @@ class PixelChoice {
  private:
   void look(std::int32_t left, std::int32_t top) noexcept;
   void label_square(std::int32_t left, std::int32_t top, const LabelsAround& around,
-                    const InverseDepthMoments* sum) noexcept;
+                    const std::size_t* cell) noexcept;
   void write(std::int32_t left, std::int32_t top, const LabelsAround& around,
              const std::int32_t* chosen) const noexcept;
   void add(std::int32_t left, std::int32_t top, const LabelsAround& around,

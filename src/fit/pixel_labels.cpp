@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 
+#include "depth_surfaces.hpp"
 #include "labels_around.hpp"
 #include "pixel_choice.hpp"
 
@@ -16,13 +17,13 @@ namespace {
 constexpr std::int32_t longest_run = 4;
 
 // A cell's mean squared residual, in variances of the noise.
-constexpr double fits_well = 1.5;
-constexpr double far_away = 25;
+constexpr float fits_well = 1.5F;
+constexpr float far_away = 25;
 
 // What a cell is, in place of the one plane that it and all cells around have.
-constexpr std::int32_t none = 0;  // no plane anywhere around
-constexpr std::int32_t border = -1;
-constexpr std::int32_t done = -2;
+constexpr std::uint16_t none = 0;  // no plane anywhere around
+constexpr std::uint16_t border = 0xFFFF;
+constexpr std::uint16_t done = 0xFFFE;
 
 struct Pixels {
   const PixelLabeller& work;
@@ -43,11 +44,11 @@ struct Pixels {
                      plane.b,
                      static_cast<float>(limit),
                      only};
-    const DepthBlockCounts counts =
+    const std::uint32_t missed =
         work.kernels.label_block(block, labels.row(top) + left, elements_apart(labels));
     moments[only - 1U].add(sum);
-    for (std::int32_t y = 0; y < block.height; ++y) {
-      if ((counts.rows_missed >> static_cast<std::uint32_t>(y) & 1U) == 0) continue;
+    for (std::int32_t y = 0; missed != 0 && y < block.height; ++y) {
+      if ((missed >> static_cast<std::uint32_t>(y) & 1U) == 0) continue;
       subtract_missed(left, top + y, block.width, moments[only - 1U]);
     }
   }
@@ -79,83 +80,45 @@ struct Pixels {
   }
 };
 
-/// Greatest label of three cells, and the least but 0: without a plane a cell is 0 in the one, 65535 in the
-/// other.
-struct Extremes {
-  std::uint16_t greatest, least;
-};
-
-constexpr Extremes of_three(std::uint16_t a, std::uint16_t b, std::uint16_t c) noexcept {
-  const std::uint16_t x = a > b ? a : b;
-  const auto u = static_cast<std::uint16_t>(a - 1), v = static_cast<std::uint16_t>(b - 1);
-  const auto w = static_cast<std::uint16_t>(c - 1);
-  const std::uint16_t y = u < v ? u : v;
-  return {x > c ? x : c, y < w ? y : w};
-}
-
-constexpr std::int32_t judged(const Extremes& left, const Extremes& here, const Extremes& right) noexcept {
-  const std::int32_t two = left.greatest > here.greatest ? left.greatest : here.greatest;
-  const std::int32_t greatest = two > right.greatest ? two : right.greatest;
-  const std::int32_t least_of_two = left.least < here.least ? left.least : here.least;
-  const std::int32_t least = least_of_two < right.least ? least_of_two : right.least;
-  return greatest == 0 ? none : greatest - 1 == least ? greatest : border;
-}
-
-/// For a row of cells what their neighbourhoods are: `none`, the only plane, or `border`.
-void look_around(Size size, std::span<const std::uint16_t> labels, std::int32_t y,
-                 std::int32_t* around) noexcept {
-  const std::int32_t last = size.width - 1;
-  const std::uint16_t* here = labels.data() + static_cast<std::ptrdiff_t>(y) * size.width;
-  const std::uint16_t* above = y > 0 ? here - size.width : here;
-  const std::uint16_t* below = y + 1 < size.height ? here + size.width : here;
-  const auto column = [=](std::int32_t x) noexcept { return of_three(above[x], here[x], below[x]); };
-  Extremes left = column(0), middle = left;
-  for (std::int32_t x = 0; x < last; ++x) {
-    const Extremes right = column(x + 1);
-    around[x] = judged(left, middle, right);
-    left = middle;
-    middle = right;
-  }
-  around[last] = judged(left, middle, middle);
-}
-
 /// Rows of cells that make squares of the coarser level `doublings` above.
 struct Band {
   const Pixels& pixels;
-  std::span<std::int32_t> around;  ///< of all cells
+  std::span<std::uint16_t> around;  ///< of all cells
   int doublings;
   std::int32_t top, bottom;  ///< rows of cells
 
   std::int32_t cells_across() const noexcept { return pixels.work.cells.size(finest()).width; }
   int finest() const noexcept { return pixels.work.cells.finest(); }
-  std::int32_t* row(std::int32_t y) const noexcept {
+  std::uint16_t* row(std::int32_t y) const noexcept {
     return around.data() + static_cast<std::ptrdiff_t>(y) * cells_across();
   }
   /// The only plane of all cells of square X and around them, or 0.
-  std::int32_t only_plane(std::int32_t X) const noexcept {
+  std::uint16_t only_plane(std::int32_t X) const noexcept {
     const std::int32_t left = X << doublings, right = std::min(left + (1 << doublings), cells_across());
-    const std::int32_t first = row(top)[left];
+    const std::uint16_t first = row(top)[left];
     for (std::int32_t y = top; y < bottom; ++y) {
       for (std::int32_t x = left; x < right; ++x) {
         if (row(y)[x] != first) return 0;
       }
     }
-    return std::max(first, none);
+    return first < done ? first : none;
   }
   /// Fills runs of squares.
   void fill_squares() const noexcept {
     const int level = finest() + doublings;
     const std::int32_t side = DepthCells::side_of(level), width = pixels.work.cells.size(level).width;
-    const InverseDepthMoments* sums =
-        pixels.work.cells.level(level).data() + static_cast<std::ptrdiff_t>(top >> doublings) * width;
+    const auto first = static_cast<std::size_t>(top >> doublings) * static_cast<std::size_t>(width);
+    const DepthCells& cells = pixels.work.cells;
+    const float* readings = cells.rows(level, first).first;
     for (std::int32_t X = 0; X < width;) {
-      const std::int32_t only = only_plane(X);
-      InverseDepthMoments sum = sums[X];
+      const std::uint16_t only = only_plane(X);
       std::int32_t end = X + 1;
-      if (only != 0 && sum.n > 0) {
-        for (; end < width && end - X < longest_run && only_plane(end) == only; ++end) sum.add(sums[end]);
-        pixels.fill(X * side, top * DepthCells::side_of(finest()), {(end - X) * side, side}, sum,
-                    static_cast<std::uint16_t>(only));
+      if (only != 0 && readings[X] > 0) {
+        InverseDepthMoments sum = cells.moments(level, first + static_cast<std::size_t>(X));
+        for (; end < width && end - X < longest_run && only_plane(end) == only; ++end) {
+          sum.add(cells.moments(level, first + static_cast<std::size_t>(end)));
+        }
+        pixels.fill(X * side, top * DepthCells::side_of(finest()), {(end - X) * side, side}, sum, only);
         mark_done(X << doublings, std::min(end << doublings, cells_across()));
       }
       X = end;
@@ -169,14 +132,14 @@ struct Band {
         static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
     const std::uint16_t own = work.cell_labels[place];
     if (own == 0) return false;
-    const InverseDepthMoments& cell = work.cells.level(finest())[place];
-    const double u = cell.u / cell.n, v = cell.v / cell.n;
-    const double noise = work.gate.inverse_noise(cell.q / cell.n), unit = cell.n * noise * noise;
-    if (!(squared_residuals(cell, work.planes[own - 1U].tangent(u, v)) < fits_well * unit)) return false;
+    const DepthCell cell = work.cells.at(finest(), place);
+    const auto noise = static_cast<float>(work.gate.inverse_noise(static_cast<double>(cell.q)));
+    const float unit = cell.n * (noise * noise);
+    if (!(squared_residuals(cell, surface_of(work.surfaces, own - 1U)) < fits_well * unit)) return false;
     const LabelsAround near(size, work.cell_labels, x, y);
     for (std::size_t k = 0; k < near.count; ++k) {
       if (near.labels[k] == own) continue;
-      const InverseDepthPlane other = work.planes[near.labels[k] - 1U].tangent(u, v);
+      const DepthSurface other = surface_of(work.surfaces, near.labels[k] - 1U);
       if (!(squared_residuals(cell, other) > far_away * unit)) return false;
     }
     return true;
@@ -192,19 +155,22 @@ struct Band {
   /// What squares left over.
   void label_row(std::int32_t y, PixelChoice& choice) const noexcept {
     const std::int32_t side = DepthCells::side_of(finest()), width = cells_across();
-    const std::int32_t* of = row(y);
-    const InverseDepthMoments* sums =
-        pixels.work.cells.level(finest()).data() + static_cast<std::ptrdiff_t>(y) * width;
+    const std::uint16_t* of = row(y);
+    const DepthCells& cells = pixels.work.cells;
+    const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+    const float* readings = cells.rows(finest(), first).first;
     for (std::int32_t x = 0; x < width;) {
       std::int32_t end = x + 1;
-      if (of[x] == none || (of[x] != done && !(sums[x].n > 0))) {
+      if (of[x] == none || (of[x] != done && !(readings[x] > 0))) {
         pixels.clear(x * side, y * side, side);
       } else if (of[x] == border) {
         choice.label_cell(x, y);
       } else if (of[x] != done) {
-        InverseDepthMoments sum = sums[x];
-        for (; end < width && end - x < longest_run && of[end] == of[x]; ++end) sum.add(sums[end]);
-        pixels.fill(x * side, y * side, {(end - x) * side, side}, sum, static_cast<std::uint16_t>(of[x]));
+        InverseDepthMoments sum = cells.moments(finest(), first + static_cast<std::size_t>(x));
+        for (; end < width && end - x < longest_run && of[end] == of[x]; ++end) {
+          sum.add(cells.moments(finest(), first + static_cast<std::size_t>(end)));
+        }
+        pixels.fill(x * side, y * side, {(end - x) * side, side}, sum, of[x]);
       }
       x = end;
     }
@@ -219,15 +185,20 @@ struct Band {
 }  // namespace
 
 void PixelLabeller::label(ImageView<std::uint16_t> labels, std::span<InverseDepthMoments> moments,
-                          std::span<std::int32_t> scratch) const noexcept {
+                          std::span<std::uint16_t> scratch) const noexcept {
   for (InverseDepthMoments& m : moments) m = {};
   const Pixels pixels{*this, labels, moments};
   PixelChoice choice(*this, labels, moments);
+  fill_surfaces(planes, cells, surfaces);
   const Size size = cells.size(cells.finest());
   const int doublings = std::min(2, DepthCells::levels - 1 - cells.finest());
   for (std::int32_t top = 0; top < size.height; top += 1 << doublings) {
     const Band band{pixels, scratch, doublings, top, std::min(top + (1 << doublings), size.height)};
-    for (std::int32_t y = top; y < band.bottom; ++y) look_around(size, cell_labels, y, band.row(y));
+    for (std::int32_t y = top; y < band.bottom; ++y) {
+      const std::uint16_t* here = cell_labels.data() + static_cast<std::ptrdiff_t>(y) * size.width;
+      kernels.look_around(y > 0 ? here - size.width : here, here,
+                          y + 1 < size.height ? here + size.width : here, size.width, band.row(y));
+    }
     band.fill_squares();
     for (std::int32_t y = top; y < band.bottom; ++y) {
       band.clear_borders(y);

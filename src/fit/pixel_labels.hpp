@@ -20,10 +20,11 @@ struct PixelLabeller {
   std::span<const BentPlane> planes;
   const PlaneGate& gate;
   const DepthKernels& kernels;
+  const DepthSurfaces& surfaces;  ///< room for the planes as the cells see them
 
   /// `moments`: sums of each label's pixels on the way. `scratch`: one entry a cell.
   void label(ImageView<std::uint16_t> labels, std::span<InverseDepthMoments> moments,
-             std::span<std::int32_t> scratch) const noexcept;
+             std::span<std::uint16_t> scratch) const noexcept;
 };
 
 }  // namespace straightedge::detail

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
+#include "depth_surfaces.hpp"
 #include "straightedge/detail/quadratic_surface.hpp"
 #include "straightedge/square_root.hpp"
 
@@ -12,7 +14,7 @@ namespace straightedge::detail {
 namespace {
 
 // A solid cell: a quarter of its pixels have readings, and they lie on the plane.
-constexpr double on_plane = 2.5;
+constexpr float on_plane = 2.5F;
 constexpr double least_solid_share = 0.5;
 // Pieces with fewer pixels than this share of the least plane are chance: other planes may have them.
 constexpr double crumb_share = 0.3;
@@ -28,69 +30,123 @@ constexpr std::array<BendLimit, 2> bend_limits{BendLimit{0.3, 1.2}, BendLimit{0.
 // Walls bend in the pictures of real sensors, though by far less.
 constexpr double largest_radius_m = 0.6;
 
+// Beside the label of the plane that visited a cell: it is not the plane's.
+constexpr std::uint16_t refused = 0x8000;
+
+constexpr std::uint16_t label_of(std::uint16_t visited) noexcept {
+  return static_cast<std::uint16_t>(visited & ~refused);
+}
+
+constexpr std::uint64_t four_ones = 0x0001000100010001;
+
+std::uint64_t four(std::span<const std::uint16_t> numbers, std::int32_t i) noexcept {
+  std::uint64_t together = 0;
+  std::memcpy(&together, &numbers[static_cast<std::size_t>(i)], sizeof together);
+  return together;
+}
+
+/// Runs of cells in a row: begin, end, begin, end, ...
+struct Pieces {
+  std::span<std::int32_t> runs;
+  std::size_t end = 0;
+  std::size_t own = 0, cells = 0;  ///< of the last piece
+
+  void begin_at(std::size_t first) noexcept {
+    end = first;
+    own = cells = 0;
+  }
+  void append(std::int32_t left, std::int32_t right, std::size_t own_cells) noexcept {
+    runs[end++] = left;
+    runs[end++] = right;
+    own += own_cells;
+    cells += static_cast<std::size_t>(right - left);
+  }
+};
+
 struct Flood {
-  std::span<const InverseDepthMoments> cells;
+  const DepthCells& cells;
   std::span<const std::uint8_t> counts;
   Size size;
   std::int32_t least;  ///< readings of a solid cell
   std::span<std::uint16_t> labels;
   std::uint16_t label;
-  const BentPlane& surface;
+  DepthSurface surface;
   const PlaneGate& gate;
   const ShapeMemory& memory;
+  std::uint64_t own_four = 0;  ///< the label, four times
 
   bool enters(std::size_t i) const noexcept {
-    if (memory.visited[i] == label) return false;
+    if (label_of(memory.visited[i]) == label) return false;
     // What has the label has readings enough and lies on the plane, or it would not have it.
     if (labels[i] == label) return true;
-    if (counts[i] < least) return false;
-    const InverseDepthMoments& m = cells[i];
-    const double noise = gate.inverse_noise(m.q / m.n);
-    return squared_residuals(m, surface.tangent(m.u / m.n, m.v / m.n)) < on_plane * noise * noise * m.n;
+    if (counts[i] >= least && is_on_plane(i)) return true;
+    memory.visited[i] = static_cast<std::uint16_t>(label | refused);
+    return false;
   }
-  /// Appends the cell and those left and right of it that belong to the piece. `first` is the first cell of
-  /// its row.
-  void visit(std::int32_t cell, std::int32_t first, std::size_t& end) const noexcept {
+  bool is_on_plane(std::size_t i) const noexcept {
+    const DepthCellRows all = cells.rows(cells.finest(), i);
+    const float n = all.first[0], u = all.first[all.apart], v = all.first[2 * all.apart];
+    const float q = all.first[3 * all.apart];
+    const auto noise = static_cast<float>(gate.inverse_noise(static_cast<double>(q)));
+    const float limit = on_plane * (noise * noise);
+    // Most cells are off with their means already.
+    const float off = q - value_at(surface, u, v);
+    return off * off < limit && squared_residuals(cells.at(cells.finest(), i), surface) < limit * n;
+  }
+  bool is_own(std::int32_t i) const noexcept { return labels[static_cast<std::size_t>(i)] == label; }
+  /// The first cell from i to `end` on that is not the plane's own.
+  std::int32_t end_of_own(std::int32_t i, std::int32_t end) const noexcept {
+    while (i + 4 <= end && four(labels, i) == own_four) i += 4;
+    while (i < end && is_own(i)) ++i;
+    return i;
+  }
+  /// Appends the run of cells with the cell that belongs to the piece. `first` is the first cell of its row.
+  void visit(std::int32_t cell, std::int32_t first, Pieces& pieces) const noexcept {
     if (!enters(static_cast<std::size_t>(cell))) return;
-    std::int32_t left = cell, right = cell + 1;
-    while (left > first && enters(static_cast<std::size_t>(left - 1))) --left;
-    while (right < first + size.width && enters(static_cast<std::size_t>(right))) ++right;
-    for (std::int32_t i = left; i < right; ++i) {
-      memory.visited[static_cast<std::size_t>(i)] = label;
-      memory.list[end++] = i;
-    }
+    const std::int32_t last = first + size.width;
+    std::int32_t left = cell, right = cell;
+    std::size_t own = 0;
+    while (left > first && enters(static_cast<std::size_t>(left - 1))) own += is_own(--left) ? 1U : 0U;
+    do {
+      const std::int32_t begin = right;
+      right = end_of_own(right, last);
+      own += static_cast<std::size_t>(right - begin);
+      if (right == begin) ++right;  // another's cell, which entered
+    } while (right < last && enters(static_cast<std::size_t>(right)));
+    std::fill(memory.visited.begin() + left, memory.visited.begin() + right, label);
+    pieces.append(left, right, own);
   }
   /// Visits the cells [left, right) of another row, which begins at `first`.
-  void visit_all(std::int32_t left, std::int32_t right, std::int32_t first, std::size_t& end) const noexcept {
-    for (std::int32_t i = left; i < right; ++i) {
-      if (memory.visited[static_cast<std::size_t>(i)] != label) visit(i, first, end);
+  void visit_all(std::int32_t left, std::int32_t right, std::int32_t first, Pieces& pieces) const noexcept {
+    constexpr std::uint64_t no_refusal = ~(std::uint64_t{refused} * four_ones);
+    for (std::int32_t i = left; i < right;) {
+      if (i + 4 <= right && (four(memory.visited, i) & no_refusal) == own_four) {
+        i += 4;
+        continue;
+      }
+      if (label_of(memory.visited[static_cast<std::size_t>(i)]) != label) visit(i, first, pieces);
+      ++i;
     }
   }
-  /// Appends the piece that holds `seed` to the list, which has `first` entries; returns its own cells.
-  std::size_t piece(std::int32_t seed, std::size_t first, std::size_t& end) const noexcept {
-    std::size_t own = 0;
-    end = first;
-    visit(seed, seed / size.width * size.width, end);
-    for (std::size_t next = first; next < end;) {
-      const std::int32_t left = memory.list[next], row = left / size.width * size.width;
-      std::int32_t right = left;
-      for (; next < end && memory.list[next] == right && right < row + size.width; ++next, ++right) {
-        own += labels[static_cast<std::size_t>(right)] == label ? 1U : 0U;
-      }
-      if (row > 0) visit_all(left - size.width, right - size.width, row - size.width, end);
+  /// Appends the piece that holds `seed` to those from `first` on.
+  void piece(std::int32_t seed, std::size_t first, Pieces& pieces) const noexcept {
+    pieces.begin_at(first);
+    visit(seed, seed / size.width * size.width, pieces);
+    for (std::size_t next = first; next < pieces.end; next += 2) {
+      const std::int32_t left = pieces.runs[next], right = pieces.runs[next + 1];
+      const std::int32_t row = left / size.width * size.width;
+      if (row > 0) visit_all(left - size.width, right - size.width, row - size.width, pieces);
       if (static_cast<std::size_t>(row + size.width) < labels.size()) {
-        visit_all(left + size.width, right + size.width, row + size.width, end);
+        visit_all(left + size.width, right + size.width, row + size.width, pieces);
       }
     }
-    return own;
   }
 };
 
-void drop_label(std::span<const std::int32_t> piece, const Flood& flood) noexcept {
-  for (const std::int32_t cell : piece) {
-    std::uint16_t& label = flood.labels[static_cast<std::size_t>(cell)];
-    if (label == flood.label) label = 0;
-  }
+void drop_label(std::span<const std::int32_t> runs, const Flood& flood) noexcept {
+  for_cells(runs, 1, [&](std::size_t cell) noexcept {
+    if (flood.labels[cell] == flood.label) flood.labels[cell] = 0;
+  });
 }
 
 /// The plane's next cell that was not visited; there must be one.
@@ -125,29 +181,39 @@ double largest_curvature(double a, double b, double c) noexcept {
 /// What is known of the cells from some of them.
 struct Sample {
   std::size_t step;
-  InverseDepthMoments sum;
+  double n = 0, u = 0, v = 0, q = 0, spread = 0;
 };
 
-Sample sample(std::span<const InverseDepthMoments> cells, std::span<const std::int32_t> list) noexcept {
-  Sample found{1 + list.size() / enough_cells, {}};
-  for (std::size_t i = 0; i < list.size(); i += found.step) {
-    found.sum.add(cells[static_cast<std::size_t>(list[i])]);
-  }
-  return found;
+Sample sample(const DepthCells& cells, std::span<const std::int32_t> runs, std::size_t count) noexcept {
+  Sample s{1 + count / enough_cells};
+  for_cells(runs, s.step, [&](std::size_t i) noexcept {
+    const DepthCell cell = cells.at(cells.finest(), i);
+    const double n = static_cast<double>(cell.n), u = static_cast<double>(cell.u),
+                 v = static_cast<double>(cell.v);
+    s.n += n;
+    s.u += n * u;
+    s.v += n * v;
+    s.q += n * static_cast<double>(cell.q);
+    s.spread += n * (u * u + v * v) + static_cast<double>(cell.uu + cell.vv);
+  });
+  s.u /= s.n;
+  s.v /= s.n;
+  s.q /= s.n;
+  s.spread = s.spread / s.n - s.u * s.u - s.v * s.v;
+  return s;
 }
 
-Bend measure_bend(std::span<const InverseDepthMoments> cells, std::span<const std::int32_t> list,
-                  const InverseDepthPlane& plane, const Sample& taken) noexcept {
-  const InverseDepthMoments& sum = taken.sum;
-  const double mean_u = sum.u / sum.n, mean_v = sum.v / sum.n;
-  const double spread = (sum.uu + sum.vv) / sum.n - mean_u * mean_u - mean_v * mean_v;
-  const double scale = square_root(spread > 1 ? spread : 1.0);
+Bend measure_bend(const DepthCells& cells, std::span<const std::int32_t> runs, const BentPlane& surface,
+                  const Sample& taken) noexcept {
+  const double scale = square_root(taken.spread > 1 ? taken.spread : 1.0), inverse_scale = 1 / scale;
   QuadraticSums sums;
-  for (std::size_t i = 0; i < list.size(); i += taken.step) {
-    const InverseDepthMoments& m = cells[static_cast<std::size_t>(list[i])];
-    const double u = m.u / m.n, v = m.v / m.n;
-    sums.add((u - mean_u) / scale, (v - mean_v) / scale, m.q / m.n - plane.at(u, v), m.n);
-  }
+  for_cells(runs, taken.step, [&](std::size_t i) noexcept {
+    const DepthCell cell = cells.at(cells.finest(), i);
+    const double u = static_cast<double>(cell.u), v = static_cast<double>(cell.v);
+    const double off =
+        static_cast<double>(cell.q) - surface.plane.at(u + cells.middle_u(), v + cells.middle_v());
+    sums.add((u - taken.u) * inverse_scale, (v - taken.v) * inverse_scale, off, static_cast<double>(cell.n));
+  });
   QuadraticFit fit;
   if (!fit_quadratic(sums, 0, fit)) return {};  // too few cells, or all in a row
   return {square_root(fit.bend_squares / sums.n),
@@ -160,44 +226,45 @@ PlaneShape plane_shape(const DepthCells& cells, const LabelledCells& plane, cons
                        const FramePlanesOptions& options, double min_pixels, const PinholeCamera& camera,
                        const ShapeMemory& memory, bool drop_crumbs, std::size_t& solid) noexcept {
   // Step 1.
-  const std::span<const InverseDepthMoments> small = cells.level(cells.finest());
   const double cell_pixels = options.cell * options.cell;
-  const Flood flood{small,
+  const Flood flood{cells,
                     cells.counts(),
                     cells.size(cells.finest()),
                     options.cell * options.cell / 4,
                     plane.labels,
                     plane.label,
-                    surface,
+                    in_floats(surface, cells.middle_u(), cells.middle_v()),
                     options.gate,
-                    memory};
+                    memory,
+                    plane.label * four_ones};
   double all = static_cast<double>(plane.count), in_solid = 0;
   solid = 0;
-  std::size_t left = plane.count;
+  std::size_t left = plane.count, solid_cells = 0;
+  Pieces pieces{memory.runs};
   for (std::size_t i = plane.first; left > 0; ++i) {
     i = next_seed(plane, memory.visited, i);
-    std::size_t end = solid;
-    const std::size_t own_cells = flood.piece(static_cast<std::int32_t>(i), solid, end);
-    const auto own = static_cast<double>(own_cells);
-    left -= own_cells;
+    flood.piece(static_cast<std::int32_t>(i), solid, pieces);
+    const auto own = static_cast<double>(pieces.own);
+    left -= pieces.own;
     if (drop_crumbs && own * cell_pixels < crumb_share * min_pixels) {
-      drop_label(memory.list.subspan(solid, end - solid), flood);
+      drop_label(memory.runs.subspan(solid, pieces.end - solid), flood);
       all -= own;
     }
     if (own * cell_pixels < min_pixels) continue;
     in_solid += own;
-    solid = end;
+    solid = pieces.end;
+    solid_cells += pieces.cells;
   }
   // Step 2.
   if (in_solid <= 0 || in_solid < least_solid_share * all) return PlaneShape::stripe;
   if (!options.reject_curved) return PlaneShape::flat;
   // Step 3.
-  const std::span<const std::int32_t> list = memory.list.first(solid);
-  const Sample taken = sample(small, list);
-  const double noise = options.gate.inverse_noise(taken.sum.q / taken.sum.n);
-  const Bend found = measure_bend(small, list, surface.plane, taken);
+  const std::span<const std::int32_t> runs = memory.runs.first(solid);
+  const Sample taken = sample(cells, runs, solid_cells);
+  const double noise = options.gate.inverse_noise(taken.q);
+  const Bend found = measure_bend(cells, runs, surface, taken);
   const double bend = found.rms / noise;
-  const double readings = taken.sum.n * static_cast<double>(taken.step);
+  const double readings = taken.n * static_cast<double>(taken.step);
   const double significance = bend * square_root(readings / (3 * options.noise_pixels));
   // A sphere or cylinder of radius r has second derivative 1/(r f²) in 1/z, at any distance.
   const double focal_square = camera.fx * camera.fx;

@@ -17,11 +17,22 @@ enum class PlaneShape : std::uint8_t {
   bent,    ///< a strip of a ball, a pillar, a curtain
 };
 
-/// Memory for `plane_shape`: one entry for each smallest cell.
+/// Memory for `plane_shape`.
 struct ShapeMemory {
-  std::span<std::uint16_t> visited;  ///< all zero before the first plane
-  std::span<std::int32_t> list;
+  std::span<std::uint16_t> visited;  ///< one entry for each smallest cell; all zero before the first plane
+  std::span<std::int32_t> runs;      ///< one more for each row of them
 };
+
+/// Every `step`-th cell of runs in rows, given as begin, end, begin, end, ...
+template <class Visit>
+void for_cells(std::span<const std::int32_t> runs, std::size_t step, const Visit& visit) noexcept {
+  std::size_t i = 0, skip = 0;
+  for (std::size_t run = 0; run < runs.size(); run += 2) {
+    const auto end = static_cast<std::size_t>(runs[run + 1]);
+    for (i = static_cast<std::size_t>(runs[run]) + skip; i < end; i += step) visit(i);
+    skip = i - end;
+  }
+}
 
 /// The labels of the smallest cells, and the plane that is looked at: how many carry its label, and the first
 /// of them.
@@ -32,7 +43,7 @@ struct LabelledCells {
 };
 
 /// Step 5 of frame_planes.hpp: judges one plane.
-/// `solid` is how many entries of the list are the cells of its solid pieces afterwards.
+/// `solid` is how many entries of the runs are its solid pieces afterwards.
 ///
 /// 1. Solid pieces: from the plane's cells, flood over touching cells whose readings lie on the plane,
 ///    whoever has them; a piece with too few cells of the plane's own is none,

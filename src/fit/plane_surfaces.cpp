@@ -68,11 +68,13 @@ PlaneSurfaces::PlaneSurfaces(Size picture, const PinholeCamera& camera,
     : u0_(picture.width / 2.0),
       v0_(picture.height / 2.0),
       scale_(std::max(picture.width, picture.height) / 2.0),
+      inverse_scale_(1 / scale_),
       focal_square_(camera.fx * camera.fx),
       options_(options) {}
 
-void PlaneSurfaces::add(const InverseDepthMoments& cell, QuadraticSums& sums) const noexcept {
-  sums.add((cell.u / cell.n - u0_) / scale_, (cell.v / cell.n - v0_) / scale_, cell.q / cell.n, cell.n);
+void PlaneSurfaces::add(const DepthCell& cell, QuadraticSums& sums) const noexcept {
+  sums.add(static_cast<double>(cell.u) * inverse_scale_, static_cast<double>(cell.v) * inverse_scale_,
+           static_cast<double>(cell.q), static_cast<double>(cell.n));
 }
 
 void PlaneSurfaces::sum(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
@@ -82,8 +84,7 @@ void PlaneSurfaces::sum(const DepthCells& cells, std::span<const std::uint16_t> 
   const auto add_cell = [&](int level, std::int32_t x, std::int32_t y, std::uint16_t label) noexcept {
     const auto width = static_cast<std::size_t>(cells.size(level).width);
     if (label == 0) return;
-    add(cells.level(level)[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)],
-        sums[label - 1U]);
+    add(cells.at(level, static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)), sums[label - 1U]);
   };
   const Squares squares{cells.size(finest), cell_labels};
   // The cells of a larger one that are all of one plane count as one: there are far fewer of those.

@@ -32,9 +32,10 @@ class PlaneSurfaces {
                BentPlane& surface, double& squares) const noexcept;
 
  private:
-  void add(const InverseDepthMoments& cell, QuadraticSums& sums) const noexcept;
+  void add(const DepthCell& cell, QuadraticSums& sums) const noexcept;
 
-  double u0_, v0_, scale_;  // samples are taken about the picture's middle, in halves of its width
+  double u0_, v0_, scale_,
+      inverse_scale_;  // samples are taken about the picture's middle, in halves of its width
   double focal_square_;
   const FramePlanesOptions& options_;
 };

@@ -3,6 +3,7 @@
 #include "straightedge/depth_cells.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,7 +30,6 @@ struct Built {
   DepthCells cells;
 };
 
-/// Multiples of 2^-10 below 1, so that all sums are exact and may be compared bit for bit.
 support::GuardedImage<float> random_depth(Size size, double holes, Pcg32& random) {
   support::GuardedImage<float> image(size, 3, 0.0F);
   for (int y = 0; y < size.height; ++y) {
@@ -51,9 +51,22 @@ InverseDepthMoments naive(ImageView<const float> image, int left, int top, int s
   return m;
 }
 
-bool same(const InverseDepthMoments& a, const InverseDepthMoments& b) {
-  return a.n == b.n && a.u == b.u && a.v == b.v && a.uu == b.uu && a.uv == b.uv && a.vv == b.vv &&
-         a.q == b.q && a.uq == b.uq && a.vq == b.vq && a.qq == b.qq;
+/// As 32 bits hold them: sums of deviations from the means.
+bool same(const InverseDepthMoments& found, const InverseDepthMoments& m) {
+  if (found.n != m.n) return false;
+  if (m.n == 0) return true;
+  const double u = m.u / m.n, v = m.v / m.n, q = m.q / m.n;
+  const auto near = [&](double a, double b, double scale) {
+    return std::abs(a - b) <= 1e-6 * scale * (std::abs(b) + m.n);
+  };
+  const double un = found.u / m.n, vn = found.v / m.n, qn = found.q / m.n;
+  return near(un, u, 1) && near(vn, v, 1) && near(qn, q, 1) &&
+         near(found.uu - un * found.u, m.uu - u * m.u, 10) &&
+         near(found.uv - un * found.v, m.uv - u * m.v, 10) &&
+         near(found.vv - vn * found.v, m.vv - v * m.v, 10) &&
+         near(found.uq - un * found.q, m.uq - u * m.q, 10) &&
+         near(found.vq - vn * found.q, m.vq - v * m.q, 10) &&
+         near(found.qq - qn * found.q, m.qq - q * m.q, 10);
 }
 
 int wrong_cells(const DepthCells& cells, ImageView<const float> image) {
@@ -64,7 +77,7 @@ int wrong_cells(const DepthCells& cells, ImageView<const float> image) {
     for (int y = 0; y < size.height; ++y) {
       for (int x = 0; x < size.width; ++x) {
         const auto place = static_cast<std::size_t>(y * size.width + x);
-        wrong += same(cells.level(level)[place], naive(image, x * side, y * side, side)) ? 0 : 1;
+        wrong += same(cells.moments(level, place), naive(image, x * side, y * side, side)) ? 0 : 1;
       }
     }
   }
@@ -98,11 +111,12 @@ TEST_CASE("levels below the finest have no cells, and those above the same sums"
       built.cells.build(image.view());
       INFO("finest " << finest << " width " << width);
       CHECK(wrong_cells(built.cells, image.view()) == 0);
-      for (int level = 0; level < finest; ++level) CHECK(built.cells.level(level).empty());
-      const auto sums = built.cells.level(finest);
-      REQUIRE(built.cells.counts().size() == sums.size());
-      for (std::size_t i = 0; i < sums.size(); ++i) {
-        CHECK(built.cells.counts()[i] == std::min(sums[i].n, 255.0));
+      for (int level = 0; level < finest; ++level) {
+        CHECK(DepthCells::cell_count(built.cells.size(level)) == 0);
+      }
+      REQUIRE(built.cells.counts().size() == DepthCells::cell_count(built.cells.size(finest)));
+      for (std::size_t i = 0; i < built.cells.counts().size(); ++i) {
+        CHECK(built.cells.counts()[i] == std::min(built.cells.moments(finest, i).n, 255.0));
       }
     }
   }
@@ -122,7 +136,9 @@ TEST_CASE("what is not above zero is no reading") {
   support::GuardedImage<float> image(size, 0, 0.0F);
   built.cells.build(image.view());
   for (int level = 0; level < DepthCells::levels; ++level) {
-    for (const InverseDepthMoments& m : built.cells.level(level)) CHECK(same(m, {}));
+    for (std::size_t i = 0; i < DepthCells::cell_count(built.cells.size(level)); ++i) {
+      CHECK(built.cells.moments(level, i).n == 0);
+    }
   }
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) image.at(x, y) = x % 2 == 0 ? -1.0F : -0.0F;
@@ -130,7 +146,7 @@ TEST_CASE("what is not above zero is no reading") {
   image.at(36, 20) = 0.5F;
   built.cells.build(image.view());
   CHECK(wrong_cells(built.cells, image.view()) == 0);
-  CHECK(built.cells.level(3).back().n == 1);
+  CHECK(built.cells.moments(3, DepthCells::cell_count(built.cells.size(3)) - 1).n == 1);
 }
 
 TEST_CASE("sum_up carries a change of the smallest cells to the larger ones") {
@@ -142,7 +158,7 @@ TEST_CASE("sum_up carries a change of the smallest cells to the larger ones") {
   const Size cells = built.cells.size(0);
   for (const int x : {0, 7, int{cells.width} - 1}) {
     const int y = (x * 5) % cells.height;
-    built.cells.level(0)[static_cast<std::size_t>(y * cells.width + x)] = {};
+    built.cells.set(0, static_cast<std::size_t>(y * cells.width + x), {});
     for (int j = 4 * y; j < std::min<std::int32_t>(4 * y + 4, size.height); ++j) {
       for (int i = 4 * x; i < std::min<std::int32_t>(4 * x + 4, size.width); ++i) image.at(i, j) = 0;
     }
@@ -152,21 +168,44 @@ TEST_CASE("sum_up carries a change of the smallest cells to the larger ones") {
   CHECK(wrong_cells(built.cells, image.view()) == 0);
 }
 
-TEST_CASE("squared residuals from a plane follow from the sums alone") {
+TEST_CASE("squared residuals from a plane follow from a cell alone") {
+  const Size size{32, 32};
   Pcg32 random(8);
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < 100; ++trial) {
     const InverseDepthPlane plane{support::uniform(random, -1e-3, 1e-3),
                                   support::uniform(random, -1e-3, 1e-3), support::uniform(random, 0.2, 0.8)};
-    InverseDepthMoments m;
+    const double tilt = support::uniform(random, -2e-4, 2e-4), noise = trial % 2 == 0 ? 1e-3 : 2e-2;
+    support::GuardedImage<float> image(size, 0, 0.0F);
     double sum = 0;
-    for (int i = 0; i < 30; ++i) {
-      const double u = random.below(64), v = random.below(64);
-      const double q = plane.at(u, v) + 0.01 * support::normal(random);
-      m.add(u, v, q);
-      sum += (q - plane.at(u, v)) * (q - plane.at(u, v));
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        if (random.below(5) == 0) continue;
+        image.at(x, y) = static_cast<float>(plane.at(x, y) + noise * support::normal(random));
+        const double r = static_cast<double>(image.at(x, y)) - plane.at(x, y) - tilt * x;
+        sum += r * r;
+      }
+    }
+    Built built(size);
+    built.cells.build(image.view());
+    const DepthSurface surface{static_cast<float>(plane.at(16, 16) + 16 * tilt),
+                               static_cast<float>(plane.a + tilt), static_cast<float>(plane.b)};
+    double in_small = 0;
+    for (std::size_t i = 0; i < 64; ++i) {
+      in_small += static_cast<double>(squared_residuals(built.cells.at(0, i), surface));
     }
     INFO("trial " << trial);
-    CHECK(squared_residuals(m, plane) == Approx(sum).epsilon(1e-8));
+    CHECK(static_cast<double>(squared_residuals(built.cells.at(3, 0), surface)) == Approx(sum).epsilon(1e-3));
+    CHECK(in_small == Approx(sum).epsilon(1e-3));
   }
-  CHECK(squared_residuals({}, {1, 2, 3}) == 0);
+  CHECK(squared_residuals(DepthCell{}, {1, 2, 3}) == 0);
+}
+
+TEST_CASE("a bent surface is taken for the plane that touches it at a cell") {
+  const DepthSurface bent{0.5F, 1e-3F, -2e-3F, 1e-5F, 2e-5F, -3e-5F};
+  const DepthCell cell{16, 10, -20, 0.5F, 20, 0, 20, 0.01F, 0.02F, 0.001F};
+  const double a = 1e-3 + 2 * 1e-5 * 10 + 2e-5 * -20, b = -2e-3 + 2e-5 * 10 + 2 * -3e-5 * -20;
+  const double at = 0.5 + 1e-3 * 10 + 2e-3 * 20 + 1e-5 * 100 - 2e-5 * 200 - 3e-5 * 400;
+  const double off = 0.5 - at;
+  const double expected = 16 * off * off + 0.001 - 2 * (a * 0.01 + b * 0.02) + a * a * 20 + b * b * 20;
+  CHECK(static_cast<double>(squared_residuals(cell, bent)) == Approx(expected).epsilon(1e-4));
 }

@@ -88,7 +88,8 @@ TEST_CASE("what was found to be round is no reading any more, but counts as one"
   CHECK(cleared > 20000);
   CHECK(cleared_wall < cleared / 20);
   double in_cells = 0;
-  for (const InverseDepthMoments& m : finder.planes.cells().level(3)) in_cells += m.n;
+  const DepthCells& cells = finder.planes.cells();
+  for (std::size_t i = 0; i < DepthCells::cell_count(cells.size(3)); ++i) in_cells += cells.moments(3, i).n;
   CHECK(in_cells == readings - cleared);
 }
 

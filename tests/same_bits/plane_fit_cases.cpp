@@ -113,13 +113,16 @@ void inverse_depth_rows(const Report& report) noexcept {
   pixels.add(inverse_depth_image(depth, depths.inverse), depths.inverse);
   depths.cells.build(depths.inverse);
   for (int level = 0; level < DepthCells::levels; ++level) {
-    sums.add(std::span<const InverseDepthMoments>(depths.cells.level(level)));
-    if (level == 0) continue;
-    for (const InverseDepthMoments& moments : depths.cells.level(level)) {
+    for (std::size_t i = 0; i < DepthCells::cell_count(depths.cells.size(level)); ++i) {
+      const InverseDepthMoments moments = depths.cells.moments(level, i);
+      sums.add(std::span<const InverseDepthMoments>(&moments, 1));
+      if (level == 0) continue;
       InverseDepthFit fit;
       PlaneFit plane;
       least_squares.add(fit_inverse_depth(moments, 1.425e-3, fit), fit);
-      least_squares.add(squared_residuals(moments, fit.plane));
+      least_squares.add(static_cast<double>(squared_residuals(
+          depths.cells.at(level, i), {static_cast<float>(fit.plane.c), static_cast<float>(fit.plane.a),
+                                      static_cast<float>(fit.plane.b)})));
       in_space.add(to_plane_fit(fit, 1.425e-3, depth.camera, plane), plane);
       in_space.add(to_inverse_depth(plane.plane, depth.camera));
     }

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "depth_cell_kernels.hpp"
+
+#include "base/lanes.hpp"
+
+namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
+namespace {
+
+constexpr std::int32_t columns = 32;  // that are summed at once: their sums lie on the stack
+constexpr std::int32_t band = 4;      // rows that are summed at once
+
+struct ColumnSums {
+  float reading[band][columns];  // of the rows at hand, 0 where there is none
+  double q[columns], vq[columns], qq[columns];
+  std::int32_t n[columns];
+};
+
+void take_row(const float* row, std::int32_t width, float* reading, std::int32_t* n) noexcept {
+  for (std::int32_t x = 0; x < width; ++x) {
+    reading[x] = row[x] > 0 ? row[x] : 0.0F;
+    n[x] += static_cast<std::int32_t>(row[x] > 0);
+  }
+}
+
+/// Adds four rows, the first of which is row v of the cells.
+void add_rows(const DepthRows& rows, std::int32_t width, double v, ColumnSums& sums) noexcept {
+  for (std::int32_t i = 0; i < band; ++i) {
+    take_row(rows.first + i * rows.stride, width, sums.reading[i], sums.n);
+  }
+  for (std::int32_t x = 0; x < width; ++x) {
+    const double q0 = static_cast<double>(sums.reading[0][x]), q1 = static_cast<double>(sums.reading[1][x]);
+    const double q2 = static_cast<double>(sums.reading[2][x]), q3 = static_cast<double>(sums.reading[3][x]);
+    const double q = (q0 + q1) + (q2 + q3);
+    sums.q[x] += q;
+    sums.vq[x] += v * q + ((q1 + 2 * q2) + 3 * q3);
+    sums.qq[x] += (q0 * q0 + q1 * q1) + (q2 * q2 + q3 * q3);
+  }
+}
+
+DepthCellSums sum_columns(const ColumnSums& sums, std::int32_t first, std::int32_t side) noexcept {
+  DepthCellSums cell;
+  for (std::int32_t i = 0; i < side; i += band) {
+    const double* q = sums.q + first + i;
+    const double* vq = sums.vq + first + i;
+    const double* qq = sums.qq + first + i;
+    const std::int32_t* n = sums.n + first + i;
+    const double sum = (q[0] + q[1]) + (q[2] + q[3]);
+    cell.q += sum;
+    cell.uq += i * sum + ((q[1] + 2 * q[2]) + 3 * q[3]);
+    cell.vq += (vq[0] + vq[1]) + (vq[2] + vq[3]);
+    cell.qq += (qq[0] + qq[1]) + (qq[2] + qq[3]);
+    cell.n += (n[0] + n[1]) + (n[2] + n[3]);
+  }
+  return cell;
+}
+
+/// Four cells that make one each, and how far their means are from its.
+struct JoinedCells {
+  static constexpr std::int32_t most = 16;
+  float n[4][most], away[3][4][most];
+
+  /// Number k of the four, of each of them.
+  static const float* part(const DepthCellRows& from, std::ptrdiff_t below, int kind, int k) noexcept {
+    return from.first + kind * from.apart + (k & 1) + (k >> 1) * below;
+  }
+  void join(const DepthCellRows& from, std::ptrdiff_t below, std::int32_t count,
+            const DepthCellRows& out) noexcept {
+    float inverse[most];
+    float* sum = out.first;
+    for (int k = 0; k < 4; ++k) {
+      const float* of = part(from, below, 0, k);
+      for (std::int32_t i = 0; i < count; ++i) n[k][i] = of[2 * i];
+    }
+    for (std::int32_t i = 0; i < count; ++i) {
+      const float all_four = (n[0][i] + n[1][i]) + (n[2][i] + n[3][i]);
+      inverse[i] = 1 / (all_four > 0 ? all_four : 1.0F);
+      sum[i] = all_four;
+    }
+    for (int kind = 1; kind <= 3; ++kind)
+      join_means(from, below, kind, count, inverse, sum + kind * out.apart);
+    constexpr int first[6] = {0, 0, 1, 0, 1, 2}, second[6] = {0, 1, 1, 2, 2, 2};
+    for (int p = 0; p < 6; ++p) {
+      join_products(from, below, p + 4, count, away[first[p]], away[second[p]], sum + (p + 4) * out.apart);
+    }
+  }
+
+ private:
+  void join_means(const DepthCellRows& from, std::ptrdiff_t below, int kind, std::int32_t count,
+                  const float* inverse, float* __restrict means) noexcept {
+    const float *a = part(from, below, kind, 0), *b = part(from, below, kind, 2);
+    float(&d)[4][most] = away[kind - 1];
+    for (std::int32_t i = 0; i < count; ++i) {
+      const float x0 = a[2 * i], x1 = a[2 * i + 1], x2 = b[2 * i], x3 = b[2 * i + 1];
+      const float mean = ((n[0][i] * x0 + n[1][i] * x1) + (n[2][i] * x2 + n[3][i] * x3)) * inverse[i];
+      d[0][i] = x0 - mean;
+      d[1][i] = x1 - mean;
+      d[2][i] = x2 - mean;
+      d[3][i] = x3 - mean;
+      means[i] = mean;
+    }
+  }
+  void join_products(const DepthCellRows& from, std::ptrdiff_t below, int kind, std::int32_t count,
+                     const float (&d)[4][most], const float (&e)[4][most],
+                     float* __restrict sums) const noexcept {
+    const float *a = part(from, below, kind, 0), *b = part(from, below, kind, 2);
+    for (std::int32_t i = 0; i < count; ++i) {
+      const float within = (a[2 * i] + a[2 * i + 1]) + (b[2 * i] + b[2 * i + 1]);
+      const float upper = n[0][i] * (d[0][i] * e[0][i]) + n[1][i] * (d[1][i] * e[1][i]);
+      const float lower = n[2][i] * (d[2][i] * e[2][i]) + n[3][i] * (d[3][i] * e[3][i]);
+      sums[i] = within + (upper + lower);
+    }
+  }
+};
+
+}  // namespace
+
+void sum_cells(const DepthRows& corner, std::int32_t side, std::int32_t cells, DepthCellSums* out) noexcept {
+  ColumnSums sums;
+  for (std::int32_t cell = 0; cell < cells; cell += columns / side) {
+    const std::int32_t left = cells - cell, at_once = left < columns / side ? left : columns / side;
+    const std::int32_t width = at_once * side;
+    for (std::int32_t x = 0; x < columns; ++x) {
+      sums.q[x] = sums.vq[x] = sums.qq[x] = 0;
+      sums.n[x] = 0;
+    }
+    for (std::int32_t v = 0; v < side; v += band) {
+      add_rows({corner.first + v * corner.stride + cell * side, corner.stride}, width, v, sums);
+    }
+    for (std::int32_t i = 0; i < at_once; ++i) out[cell + i] = sum_columns(sums, i * side, side);
+  }
+}
+
+void whole_cells(const DepthCellSums* sums, std::int32_t side, std::int32_t cells, float left, float top,
+                 const DepthCellRows& out) noexcept {
+  const float count = static_cast<float>(side * side), half = 0.5F * static_cast<float>(side - 1);
+  // Of 0 to side − 1 the squared deviations from the mean, side times.
+  const float spread = count * (count - 1) / 12;
+  const double n = static_cast<double>(count), middle = static_cast<double>(half);
+  float *readings = out.first, *u = readings + out.apart, *v = u + out.apart, *q = v + out.apart;
+  float *uu = q + out.apart, *uv = uu + out.apart, *vv = uv + out.apart;
+  float *uq = vv + out.apart, *vq = uq + out.apart, *qq = vq + out.apart;
+  for (std::int32_t i = 0; i < cells; ++i) {
+    const double mean = sums[i].q / n;
+    readings[i] = count;
+    u[i] = left + (static_cast<float>(i * side) + half);
+    v[i] = top + half;
+    q[i] = static_cast<float>(mean);
+    uu[i] = vv[i] = spread;
+    uv[i] = 0;
+    uq[i] = static_cast<float>(sums[i].uq - middle * sums[i].q);
+    vq[i] = static_cast<float>(sums[i].vq - middle * sums[i].q);
+    qq[i] = static_cast<float>(sums[i].qq - mean * sums[i].q);
+  }
+}
+
+void join_cells(const DepthCellRows& from, std::ptrdiff_t below, std::int32_t cells,
+                const DepthCellRows& out) noexcept {
+  JoinedCells joined;
+  for (std::int32_t first = 0; first < cells; first += JoinedCells::most) {
+    const std::int32_t left = cells - first, count = left < JoinedCells::most ? left : JoinedCells::most;
+    joined.join({from.first + 2 * first, from.apart}, below, count, {out.first + first, out.apart});
+  }
+}
+
+namespace {
+
+struct CellLanes {
+  Lanes n, u, v, q, uu, uv, vv, uq, vq, qq;
+
+  explicit CellLanes(const float* first, std::ptrdiff_t apart) noexcept
+      : n(load(first)),
+        u(load(first + apart)),
+        v(load(first + 2 * apart)),
+        q(load(first + 3 * apart)),
+        uu(load(first + 4 * apart)),
+        uv(load(first + 5 * apart)),
+        vv(load(first + 6 * apart)),
+        uq(load(first + 7 * apart)),
+        vq(load(first + 8 * apart)),
+        qq(load(first + 9 * apart)) {}
+
+  /// Residual of the means from surface k.
+  Lanes off(const DepthSurfaces& s, std::int32_t k) const noexcept {
+    const Lanes bend = (s.xx[k] * (u * u) + s.xy[k] * (u * v)) + s.yy[k] * (v * v);
+    return q - (((s.c[k] + s.x[k] * u) + s.y[k] * v) + bend);
+  }
+  /// Squared residuals of all readings from surface k.
+  Lanes squares(const DepthSurfaces& s, std::int32_t k) const noexcept {
+    const Lanes a = (s.x[k] + (2 * s.xx[k]) * u) + s.xy[k] * v;
+    const Lanes b = (s.y[k] + s.xy[k] * u) + (2 * s.yy[k]) * v;
+    const Lanes r = off(s, k), none = all(0);
+    const Lanes mixed = a * uq + b * vq;
+    const Lanes square = a * (a * uu + (b + b) * uv) + (b * b) * vv;
+    const Lanes sum = n * (r * r) + ((qq - (mixed + mixed)) + square);
+    return sum < none ? none : sum;
+  }
+};
+
+/// 1 where a bit is set, else 0.
+Lanes marks_of(std::uint32_t bits, std::int32_t first) noexcept {
+  float marks[lanes];
+  for (std::int32_t i = 0; i < lanes; ++i) {
+    marks[i] =
+        static_cast<float>(static_cast<std::int32_t>(bits >> static_cast<std::uint32_t>(first + i) & 1U));
+  }
+  return load(marks);
+}
+
+struct Best {
+  Lanes squares, label;
+
+  void offer(const Lanes& found, const Lanes& mark, std::int32_t plane) noexcept {
+    const auto better = (found < squares) & (mark > all(0));
+    squares = better ? found : squares;
+    label = better ? all(static_cast<float>(plane + 1)) : label;
+  }
+};
+
+bool any(const Lanes& marks) noexcept {
+  float each[lanes], sum = 0;
+  store(each, marks);
+  for (std::int32_t i = 0; i < lanes; ++i) sum += each[i];
+  return sum > 0;
+}
+
+/// Worth a question where a cell comes alone.
+bool is_far([[maybe_unused]] const Lanes& off, [[maybe_unused]] const Lanes& limit) noexcept {
+#if STRAIGHTEDGE_LANES == 1
+  return off * off > limit;
+#else
+  return false;
+#endif
+}
+
+/// What some of the sixteen cells take.
+void choose_some(const DepthCellTask& task, const DepthSurfaces& s, std::int32_t first,
+                 DepthCellPlanes& planes) noexcept {
+  const Lanes none = all(0), one = all(1), zero_noise = all(task.noise);
+  const CellLanes cell(task.at.first + first, task.at.apart);
+  const Lanes of_square = task.noise_of_square * (cell.q * cell.q);
+  const Lanes noise = of_square > zero_noise ? of_square : zero_noise;
+  const Lanes variance = noise * noise, unit = cell.n * variance;
+  const Lanes open = cell.n >= all(task.least) ? marks_of(task.open, first) : none;
+  Best best{all(1e30F), none};
+  for (std::int32_t i = 0; i < task.asked; ++i) {
+    const std::uint32_t some = (task.of[i] >> static_cast<std::uint32_t>(first)) & ((1U << lanes) - 1U);
+    if (some == 0) continue;
+    best.offer(cell.squares(s, task.plane[i]), marks_of(task.of[i], first), task.plane[i]);
+  }
+  const auto pure = (best.squares < task.pure_of_asked * unit) | (marks_of(task.given, first) > none);
+  const Lanes left = pure ? none : open;
+  if (any(left)) {
+    // The squares are at least those of the means: a plane far from these cannot become a cell's.
+    const Lanes limit = task.pure * variance;
+    for (std::int32_t k = 0; k < task.planes; ++k) {
+      if (is_far(cell.off(s, k), limit)) continue;
+      best.offer(cell.squares(s, k), left, k);
+    }
+    const auto fits = (best.squares < task.pure * unit) | (left < one);
+    best.label = fits ? best.label : none;
+  }
+  best.label = open > none ? best.label : none;
+  const Lanes mean = best.squares / (unit > none ? unit : one);
+  float labels[lanes];
+  store(labels, best.label);
+  for (std::int32_t i = 0; i < lanes; ++i) planes.label[first + i] = static_cast<std::uint16_t>(labels[i]);
+  store(planes.mean + first, mean);
+}
+
+}  // namespace
+
+void choose_planes(const DepthCellTask& task, const DepthSurfaces& surfaces,
+                   DepthCellPlanes& planes) noexcept {
+  for (std::int32_t first = 0; first < DepthCellTask::cells; first += lanes) {
+    if ((task.open >> static_cast<std::uint32_t>(first) & ((1U << lanes) - 1U)) == 0) {
+      for (std::int32_t i = 0; i < lanes; ++i) {
+        planes.label[first + i] = 0;
+        planes.mean[first + i] = 0;
+      }
+      continue;
+    }
+    choose_some(task, surfaces, first, planes);
+  }
+}
+
+}  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET

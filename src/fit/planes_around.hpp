@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "labels_around.hpp"
+#include "straightedge/image.hpp"
+
+namespace straightedge::detail {
+
+/// Some cells beside one another, at most sixteen.
+struct CellRun {
+  std::int32_t x, y, count;
+};
+
+/// The planes of the cells of a run and around them; bits say which cells have a plane around.
+struct PlanesAround {
+  static constexpr std::size_t most = 54;
+  std::array<std::uint16_t, most> label;
+  std::array<std::uint32_t, most> near;
+  std::size_t count = 0;
+  std::uint32_t some = 0, several = 0;  ///< cells with a plane around, with more than one
+
+  /// `labels` of all cells; LabelsAround::mark beside them is not looked at.
+  PlanesAround(Size size, std::span<const std::uint16_t> labels, const CellRun& run) noexcept {
+    const std::int32_t begin = std::max<std::int32_t>(run.x - 1, 0);
+    const std::int32_t end = std::min(run.x + run.count + 1, size.width);
+    const std::int32_t bottom = std::min(run.y + 1, size.height - 1);
+    for (std::int32_t y = std::max<std::int32_t>(run.y - 1, 0); y <= bottom; ++y) {
+      add_row(labels.data() + static_cast<std::ptrdiff_t>(y) * size.width + begin, end - begin,
+              begin - run.x + 1);
+    }
+    const std::uint32_t all = (1U << static_cast<std::uint32_t>(run.count)) - 1U;
+    for (std::size_t k = 0; k < count; ++k) {
+      // Bit i + 1 stands for the column of cell i: what has the plane, and its neighbours.
+      near[k] = (near[k] | near[k] >> 1U | near[k] >> 2U) & all;
+      several |= some & near[k];
+      some |= near[k];
+    }
+  }
+
+ private:
+  static std::uint16_t bare(std::uint16_t label) noexcept {
+    return static_cast<std::uint16_t>(label & ~LabelsAround::mark);
+  }
+  void add_row(const std::uint16_t* labels, std::int32_t width, std::int32_t first) noexcept {
+    for (std::int32_t x = 0; x < width;) {
+      const std::int32_t begin = x;
+      const std::uint16_t same = bare(labels[x]);
+      while (x < width && bare(labels[x]) == same) ++x;
+      if (same == 0) continue;
+      std::size_t k = 0;
+      while (k < count && label[k] != same) ++k;
+      if (k == count) {
+        label[count] = same;
+        near[count++] = 0;
+      }
+      const auto bits = (1U << static_cast<std::uint32_t>(x - begin)) - 1U;
+      near[k] |= bits << static_cast<std::uint32_t>(first + begin);
+    }
+  }
+};
+
+}  // namespace straightedge::detail

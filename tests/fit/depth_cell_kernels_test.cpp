@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "straightedge/depth_cells.hpp"
+#include "straightedge/depth_kernels.hpp"
+#include "straightedge/host/kernels.hpp"
+#include "straightedge/random.hpp"
+#include "support/catch.hpp"
+#include "support/drawing.hpp"
+
+using namespace straightedge;
+using support::uniform;
+
+namespace {
+
+constexpr std::ptrdiff_t apart = 450;
+
+using Numbers = std::vector<float>;
+
+bool same_bits(const Numbers& a, const Numbers& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::bit_cast<std::uint32_t>(a[i]) != std::bit_cast<std::uint32_t>(b[i])) return false;
+  }
+  return a.size() == b.size();
+}
+
+Numbers room() {
+  return Numbers(static_cast<std::size_t>(apart * DepthCellRows::kinds), 4711.0F);
+}
+
+template <class Check>
+void for_sets_and_seeds(std::uint64_t seeds, const Check& check) {
+  for (const KernelSet& set : kernel_sets()) {
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      CAPTURE(std::string(set.name), seed);
+      Pcg32 random(seed);
+      check(*set.depth, random, seed);
+    }
+  }
+}
+
+/// Cells near surface 0 or 1 or far from all, some of them empty.
+Numbers cells_by_chance(Pcg32& random) {
+  Numbers cells = room();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(apart); ++i) {
+    const bool empty = random.below(6) == 0;
+    const double off = random.below(3) == 0 ? 0.1 : 0.002;
+    const auto number = [&](std::size_t kind, double value) {
+      cells[kind * static_cast<std::size_t>(apart) + i] = empty ? 0.0F : static_cast<float>(value);
+    };
+    number(0, 1 + random.below(16));
+    number(1, uniform(random, -320, 320));
+    number(2, uniform(random, -240, 240));
+    number(3, 0.5 + off * uniform(random, -1, 1));
+    number(4, uniform(random, 10, 20));
+    number(5, uniform(random, -1, 1));
+    number(6, uniform(random, 10, 20));
+    number(7, 1e-3 * uniform(random, -1, 1));
+    number(8, 1e-3 * uniform(random, -1, 1));
+    number(9, 1e-4 * uniform(random, 0, 1));
+  }
+  return cells;
+}
+
+struct Surfaces {
+  static constexpr std::int32_t most = 40;
+  std::array<std::array<float, most>, 6> of{};
+  std::int32_t count;
+
+  explicit Surfaces(Pcg32& random) : count(1 + static_cast<std::int32_t>(random.below(most))) {
+    const double sizes[] = {0.004, 1e-6, 1e-6, 1e-9, 1e-9, 1e-9};
+    for (std::size_t c = 0; c < of.size(); ++c) {
+      for (float& x : of[c]) x = static_cast<float>((c == 0 ? 0.5 : 0) + sizes[c] * uniform(random, -1, 1));
+    }
+  }
+  DepthSurfaces view() {
+    return {of[0].data(), of[1].data(), of[2].data(), of[3].data(), of[4].data(), of[5].data()};
+  }
+  DepthSurface at(std::size_t k) const {
+    return {of[0][k], of[1][k], of[2][k], of[3][k], of[4][k], of[5][k]};
+  }
+};
+
+DepthCellTask task_by_chance(Pcg32& random, Numbers& cells, std::int32_t planes) {
+  DepthCellTask task;
+  task.at = {cells.data() + random.below(100), apart};
+  task.open = random.next() & 0xFFFF & (random.below(2) == 0 ? 0xFFFFU : random.next());
+  task.least = static_cast<float>(random.below(6));
+  task.planes = planes;
+  task.noise = random.below(4) == 0 ? 0.0F : 1e-3F;
+  task.noise_of_square = 4e-3F;
+  task.pure_of_asked = 4;
+  task.pure = 2;
+  while (task.asked < static_cast<std::int32_t>(random.below(5))) {
+    task.plane[task.asked] = static_cast<std::uint16_t>(random.below(static_cast<std::uint32_t>(planes)));
+    task.of[task.asked++] = static_cast<std::uint16_t>(random.next());
+  }
+  if (task.asked > 0) task.given = task.of[0] & task.open & random.next();
+  for (std::int32_t i = 1; i < task.asked; ++i) {
+    task.of[i] = static_cast<std::uint16_t>(task.of[i] & ~task.given);
+  }
+  return task;
+}
+
+bool is_set(std::uint32_t bits, std::uint32_t i) {
+  return (bits >> i & 1U) != 0;
+}
+
+/// Step by step, for cell i; margins of rounding left out by the caller.
+std::uint16_t expected_label(const DepthCellTask& task, const Surfaces& surfaces, std::uint32_t i,
+                             double& doubt) {
+  const auto number = [&](std::ptrdiff_t kind) { return task.at.first[kind * apart + i]; };
+  const DepthCell cell{number(0), number(1), number(2), number(3), number(4),
+                       number(5), number(6), number(7), number(8), number(9)};
+  doubt = 1;
+  if (!is_set(task.open, i) || cell.n < task.least) return 0;
+  const float noise = std::max(task.noise, task.noise_of_square * cell.q * cell.q);
+  const double unit = static_cast<double>(cell.n * noise * noise);
+  double best = 1e30;
+  std::uint16_t label = 0;
+  const auto offer = [&](std::size_t k) {
+    const auto found = static_cast<double>(squared_residuals(cell, surfaces.at(k)));
+    doubt = std::min(doubt, std::abs(found - best) / (found + 1e-12));
+    if (!(found < best)) return;
+    best = found;
+    label = static_cast<std::uint16_t>(k + 1);
+  };
+  for (std::int32_t a = 0; a < task.asked; ++a) {
+    if (is_set(task.of[a], i)) offer(task.plane[a]);
+  }
+  doubt = std::min(doubt, std::abs(best - static_cast<double>(task.pure_of_asked) * unit) / (unit + 1e-12));
+  if (is_set(task.given, i) || best < static_cast<double>(task.pure_of_asked) * unit) return label;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(task.planes); ++k) {
+    if (label != k + 1) offer(k);
+  }
+  doubt = std::min(doubt, std::abs(best - static_cast<double>(task.pure) * unit) / (unit + 1e-12));
+  return best < static_cast<double>(task.pure) * unit ? label : std::uint16_t{0};
+}
+
+}  // namespace
+
+TEST_CASE("every set of kernels makes whole cells as the plain one") {
+  for_sets_and_seeds(100, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t count) {
+    std::vector<DepthCellSums> sums(count);
+    for (DepthCellSums& s : sums) {
+      s = {uniform(random, 1, 9), uniform(random, 1, 9), uniform(random, 1, 9), uniform(random, 1, 9), 16};
+    }
+    const std::int32_t side = 4 << random.below(3);
+    Numbers expected = room(), found = room();
+    const auto cells = static_cast<std::int32_t>(count);
+    plain_depth_kernels.whole_cells(sums.data(), side, cells, -320, 7.5F, {expected.data() + 1, apart});
+    kernels.whole_cells(sums.data(), side, cells, -320, 7.5F, {found.data() + 1, apart});
+    CHECK(same_bits(found, expected));
+    CHECK(found[0] == 4711);
+    CHECK(found[count + 1] == 4711);
+  });
+}
+
+TEST_CASE("every set of kernels joins cells as the plain one, and no reading is lost") {
+  for_sets_and_seeds(100, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t count) {
+    Numbers cells = cells_by_chance(random);
+    Numbers expected = room(), found = room();
+    const auto made = static_cast<std::int32_t>(count);
+    const auto below = static_cast<std::ptrdiff_t>(2 * count + random.below(3));
+    plain_depth_kernels.join_cells({cells.data(), apart}, below, made, {expected.data(), apart});
+    kernels.join_cells({cells.data(), apart}, below, made, {found.data(), apart});
+    CHECK(same_bits(found, expected));
+    CHECK(found[count] == 4711);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t under = 2 * i + static_cast<std::size_t>(below);
+      REQUIRE(found[i] == cells[2 * i] + cells[2 * i + 1] + cells[under] + cells[under + 1]);
+    }
+  });
+}
+
+TEST_CASE("every set of kernels chooses planes for cells as the plain one, which goes step by step") {
+  std::size_t checked = 0, labelled = 0;
+  for_sets_and_seeds(2000, [&](const DepthKernels& kernels, Pcg32& random, std::uint64_t) {
+    Numbers cells = cells_by_chance(random);
+    Surfaces surfaces(random);
+    const DepthCellTask task = task_by_chance(random, cells, surfaces.count);
+    DepthCellPlanes expected{}, found{};
+    plain_depth_kernels.choose_planes(task, surfaces.view(), expected);
+    kernels.choose_planes(task, surfaces.view(), found);
+    for (std::uint32_t i = 0; i < 16; ++i) {
+      CHECK(found.label[i] == expected.label[i]);
+      if (found.label[i] != 0) {
+        CHECK(std::bit_cast<std::uint32_t>(found.mean[i]) == std::bit_cast<std::uint32_t>(expected.mean[i]));
+      }
+      double doubt = 0;
+      const std::uint16_t label = expected_label(task, surfaces, i, doubt);
+      if (doubt < 1e-3) continue;
+      REQUIRE(expected.label[i] == label);
+      ++checked;
+      labelled += label != 0 ? 1U : 0U;
+    }
+  });
+  CHECK(labelled > checked / 20);
+}
