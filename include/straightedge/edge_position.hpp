@@ -8,23 +8,39 @@
 
 namespace straightedge {
 
-/// What Canny leaves behind: the gradient (right minus left, below minus above) and its magnitude.
-struct GradientField {
-  ImageView<const std::int16_t> x;
-  ImageView<const std::int16_t> y;
-  ImageView<const std::int32_t> magnitude;
-
-  bool valid() const noexcept {
-    return x.valid() && y.valid() && magnitude.valid() && x.size() == y.size() &&
-           x.size() == magnitude.size();
-  }
-};
-
 /// Where between the pixels an edge runs.
 struct EdgePosition {
   double x = 0;         ///< column; the centre of the first pixel is 0
   double y = 0;         ///< row
   double variance = 0;  ///< squared pixels, across the edge
+};
+
+/// An edge pixel as a line fit wants it.
+struct EdgePoint {
+  double x = 0;       ///< column of its position
+  double y = 0;       ///< row
+  double weight = 0;  ///< 1 / variance
+  std::int16_t dx = 0;
+  std::int16_t dy = 0;
+};
+
+/// Edge pixels that were looked at once for many readers.
+struct EdgeTable {
+  ImageView<const std::uint32_t> numbers;  ///< of each edge pixel; anything elsewhere
+  const EdgePoint* points = nullptr;       ///< by number
+};
+
+/// What Canny leaves behind: the gradient (right minus left, below minus above) and its magnitude.
+struct GradientField {
+  ImageView<const std::int16_t> x;
+  ImageView<const std::int16_t> y;
+  ImageView<const std::int32_t> magnitude;
+  const EdgeTable* table = nullptr;  ///< may hold what edge_point says of all edge pixels
+
+  bool valid() const noexcept {
+    return x.valid() && y.valid() && magnitude.valid() && x.size() == y.size() &&
+           x.size() == magnitude.size();
+  }
 };
 
 /// Sub-pixel position of the edge at pixel (x, y), which must lie inside the field.
@@ -39,5 +55,8 @@ struct EdgePosition {
 /// F. Devernay, "A non-maxima suppression method for edge detection with sub-pixel accuracy",
 /// INRIA RR-2724, 1995. Within two pixels of the image's border the pixel's centre is returned.
 EdgePosition edge_position(const GradientField& field, std::int32_t x, std::int32_t y) noexcept;
+
+/// The same with the gradient, by the field's table where it has one.
+EdgePoint edge_point(const GradientField& field, std::int32_t x, std::int32_t y) noexcept;
 
 }  // namespace straightedge

@@ -32,25 +32,30 @@ struct RefinedSegment {
   double begin = 0;  ///< extent along (−light_y, light_x), from the centroid; begin < end
   double end = 0;
   std::uint32_t pixels = 0;  ///< edge pixels that carry it
+  std::uint64_t places = 0;  ///< stands for which pixels these are
 
   double length() const noexcept { return end - begin; }
 };
 
 /// Finds the line that the edge pixels near a rough segment form, and how far it goes.
 ///
-/// 1. Which side is light: the sign that most gradients in the corridor have.
+/// 1. Which side is light: the sign that most gradients in the corridor have, looked at in 48 places at most.
 /// 2. Walk from the segment's middle to both ends and on, collecting the edge pixels of the corridor
 ///    whose gradient points to the light side within max_angle, until a hole is longer than max_gap.
 /// 3. Take each pixel's sub-pixel position (edge_position.hpp) and weight, fit a line, go to 2; at most
 ///    `rounds` times, and no more when the pixels are those of the round before.
-/// 4. Before the last round, or when the pixels stay the same: when the two halves lie on lines a step apart,
-/// they are two walls that nearly
-///    continue one another; go on with the larger half in a corridor half as wide.
+/// 4. Before the last of three rounds or more, or when the pixels stay the same: when the two halves lie on
+///    lines a step apart, they are two walls that nearly continue one another; go on with the larger half in a
+///    corridor half as wide.
 ///
 /// `mask` says which edge pixels may be used (non-zero). Cost: proportional to the segment's length.
 /// Nothing near: `pixels` is 0. invalid_option, invalid_image, size_mismatch as named.
 Status refit_segment(GrayView mask, const GradientField& field, const HoughSegment& rough,
                      const RefitOptions& options, RefinedSegment& refined) noexcept;
+
+/// The same for a segment that was refit before, on a mask that may have lost pixels since: from step 2 on.
+Status refit_again(GrayView mask, const GradientField& field, const RefitOptions& options,
+                   RefinedSegment& segment) noexcept;
 
 /// Clears from the mask the edge pixels that belong to a segment: those within `corridor` of it whose
 /// gradient points to its light side within max_angle, from `margin` before its begin to `margin` after its

@@ -25,8 +25,9 @@ struct Corridor {
 
   /// Whether the gradient at the pixel points to the light side.
   bool faces_light(const GradientField& field, std::int32_t x, std::int32_t y) const noexcept {
-    const double gx = field.x.at(x, y);
-    const double gy = field.y.at(x, y);
+    return faces_light(field.x.at(x, y), field.y.at(x, y));
+  }
+  bool faces_light(double gx, double gy) const noexcept {
     const double toward = gx * nx + gy * ny;
     return toward > 0 && toward * toward >= cos_max_angle * cos_max_angle * (gx * gx + gy * gy);
   }
@@ -41,17 +42,16 @@ class CorridorSteps {
         steep_(strip.steep()),
         steps_(steep_ ? mask.height : mask.width),
         last_((steep_ ? mask.width : mask.height) - 1),
-        major_(steep_ ? strip.ny : strip.nx),
-        minor_(steep_ ? strip.nx : strip.ny),
+        slope_(steep_ ? strip.ny / strip.nx : strip.nx / strip.ny),
         from_(steep_ ? strip.py : strip.px),
         at_(steep_ ? strip.px : strip.py),
-        reach_(strip.half_width / (minor_ < 0 ? -minor_ : minor_)) {}
+        reach_(strip.half_width / size_of(steep_ ? strip.nx : strip.ny)) {}
 
   /// Calls visit(x, y) for the pixels of step k. False when the step is outside the image.
   template <class Visit>
   bool visit(std::int32_t k, const Visit& visit) const noexcept {
     if (k < 0 || k >= steps_) return false;
-    const double centre = at_ - (k - from_) * major_ / minor_;
+    const double centre = at_ - (k - from_) * slope_;
     if (centre + reach_ < 0 || centre - reach_ > last_) return false;
     auto lo = static_cast<std::int32_t>(centre - reach_);
     auto hi = static_cast<std::int32_t>(centre + reach_) + 1;
@@ -65,11 +65,13 @@ class CorridorSteps {
   }
 
  private:
+  static double size_of(double x) noexcept { return x < 0 ? -x : x; }
+
   GrayView mask_;
   bool steep_;
   std::int32_t steps_;
   std::int32_t last_;
-  double major_, minor_, from_, at_, reach_;
+  double slope_, from_, at_, reach_;
 };
 
 }  // namespace straightedge

@@ -11,6 +11,8 @@ namespace {
 
 // Pixels are looked for a little outside the corridor: their sub-pixel position may lie inside.
 constexpr double position_reach = 0.75;
+// Places that tell which side is light.
+constexpr std::int32_t most_places = 48;
 // Two walls that nearly continue one another: halves of this many pixels, a step of this many between them.
 constexpr double min_half = 12;
 constexpr double min_step = 0.7;
@@ -31,7 +33,8 @@ Extent steps_of(const Corridor& strip, const HoughSegment& rough) noexcept {
 bool find_light_side(GrayView mask, const GradientField& field, Extent steps, Corridor& strip) noexcept {
   double sum = 0;
   const CorridorSteps corridor(mask, strip);
-  for (std::int32_t k = steps.first; k <= steps.last; ++k) {
+  const std::int32_t stride = (steps.last - steps.first) / most_places + 1;
+  for (std::int32_t k = steps.first; k <= steps.last; k += stride) {
     corridor.visit(k, [&](std::int32_t x, std::int32_t y) noexcept {
       const double toward = field.x.at(x, y) * strip.nx + field.y.at(x, y) * strip.ny;
       sum += toward > 0 ? 1 : toward < 0 ? -1 : 0;
@@ -75,8 +78,8 @@ void collect(GrayView mask, const GradientField& field, const Corridor& strip, c
   for (std::int32_t k = start; hole <= options.max_gap; k += direction) {
     hole += step_length;
     const bool inside = corridor.visit(k, [&](std::int32_t x, std::int32_t y) noexcept {
-      if (!strip.faces_light(field, x, y)) return;
-      const EdgePosition edge = edge_position(field, x, y);
+      const EdgePoint edge = edge_point(field, x, y);
+      if (!strip.faces_light(edge.dx, edge.dy)) return;
       const double off = strip.across(edge.x, edge.y);
       if (off > strip.half_width || off < -strip.half_width) return;
       const double s = strip.along(edge.x, edge.y);
@@ -85,7 +88,7 @@ void collect(GrayView mask, const GradientField& field, const Corridor& strip, c
       found.end = s > found.end ? s : found.end;
       ++found.pixels;
       found.places += number_of(x, y);
-      found.halves[s < 0 ? 0 : 1].add(edge.x - strip.px, edge.y - strip.py, 1 / edge.variance);
+      found.halves[s < 0 ? 0 : 1].add(edge.x - strip.px, edge.y - strip.py, edge.weight);
       hole = 0;
     });
     if (!inside) break;
@@ -137,7 +140,7 @@ Collected collect_both_ways(GrayView mask, const GradientField& field, const Cor
 RefinedSegment refined_from(const Collected& found, const Corridor& before, const Corridor& strip,
                             const LineFit& fit) noexcept {
   RefinedSegment refined{found.moments, before.px,   before.py, fit,         strip.nx,
-                         strip.ny,      found.begin, found.end, found.pixels};
+                         strip.ny,      found.begin, found.end, found.pixels, found.places};
   const double moved = fit.centroid_x * strip.tx() + fit.centroid_y * strip.ty();
   refined.begin -= moved;
   refined.end -= moved;
@@ -165,19 +168,11 @@ Corridor corridor_of(const HoughSegment& rough, const RefitOptions& options) noe
   return strip;
 }
 
-}  // namespace
-
-Status refit_segment(GrayView mask, const GradientField& field, const HoughSegment& rough,
-                     const RefitOptions& options, RefinedSegment& refined) noexcept {
-  refined = {};
-  if (!valid(options)) return Status::invalid_option;
-  if (!mask.valid() || !field.valid()) return Status::invalid_image;
-  if (mask.size() != field.x.size()) return Status::size_mismatch;
-  Corridor strip = corridor_of(rough, options);
-  if (!find_light_side(mask, field, steps_of(strip, rough), strip)) return Status::ok;  // Step 1
+/// Steps 2 to 4. `found` are the pixels of the round before, if there was one.
+Status go_on(GrayView mask, const GradientField& field, const RefitOptions& options, Corridor strip,
+             Collected last, RefinedSegment& refined) noexcept {
   double corridor = options.corridor;
-  bool may_step = true;
-  Collected last;
+  bool may_step = options.rounds > 2;
   for (int left = options.rounds; left > 0; --left) {
     const Collected found = collect_both_ways(mask, field, strip, options);  // Step 2
     const bool settled = found.same_pixels(last);
@@ -200,6 +195,45 @@ Status refit_segment(GrayView mask, const GradientField& field, const HoughSegme
     strip.half_width = corridor;
   }
   return Status::ok;
+}
+
+Status check(GrayView mask, const GradientField& field, const RefitOptions& options) noexcept {
+  if (!valid(options)) return Status::invalid_option;
+  if (!mask.valid() || !field.valid()) return Status::invalid_image;
+  return mask.size() == field.x.size() ? Status::ok : Status::size_mismatch;
+}
+
+}  // namespace
+
+Status refit_segment(GrayView mask, const GradientField& field, const HoughSegment& rough,
+                     const RefitOptions& options, RefinedSegment& refined) noexcept {
+  refined = {};
+  const Status status = check(mask, field, options);
+  if (status != Status::ok) return status;
+  Corridor strip = corridor_of(rough, options);
+  if (!find_light_side(mask, field, steps_of(strip, rough), strip)) return Status::ok;  // Step 1
+  return go_on(mask, field, options, strip, {}, refined);
+}
+
+Status refit_again(GrayView mask, const GradientField& field, const RefitOptions& options,
+                   RefinedSegment& segment) noexcept {
+  const Status status = check(mask, field, options);
+  if (status != Status::ok || segment.pixels == 0) {
+    segment = {};
+    return status;
+  }
+  Corridor strip;
+  const double middle = 0.5 * (segment.begin + segment.end);
+  strip.nx = segment.light_x;
+  strip.ny = segment.light_y;
+  strip.px = segment.fit.centroid_x + middle * strip.tx();
+  strip.py = segment.fit.centroid_y + middle * strip.ty();
+  strip.half_width = options.corridor;
+  strip.cos_max_angle = cosine(options.max_angle);
+  Collected last;
+  last.pixels = segment.pixels;
+  last.places = segment.places;
+  return go_on(mask, field, options, strip, last, segment);
 }
 
 std::uint32_t claim_pixels(ImageView<std::uint8_t> mask, const GradientField& field,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "map/edge_table.hpp"
 #include "map/select.hpp"
 #include "straightedge/host/hough_lines.hpp"
 
@@ -22,7 +23,7 @@ HoughOptions relaxed(HoughOptions options) {
 }
 
 Image<std::uint8_t> copy_of(GrayView image) {
-  Image<std::uint8_t> copy(image.size());
+  auto copy = Image<std::uint8_t>::for_overwrite(image.size());
   for (std::int32_t y = 0; y < image.height; ++y) {
     std::memcpy(copy.view().row(y), image.row(y), static_cast<std::size_t>(image.width));
   }
@@ -34,6 +35,10 @@ Image<std::uint8_t> copy_of(GrayView image) {
 Status find_edges(GrayView edges, const GradientField& field, const LineMapOptions& options,
                   const KernelSet& kernels, std::vector<WallLine>& lines, LineMapReport& report) {
   Image<std::uint8_t> mask = copy_of(edges);
+  EdgePoints points;
+  points.find(edges, field, kernels);
+  GradientField with_table = field;
+  with_table.table = &points.table();
   HoughOptions hough = first_round(options);
   hough.kernels = kernels.hough;
   RefitOptions refit;
@@ -46,7 +51,7 @@ Status find_edges(GrayView edges, const GradientField& field, const LineMapOptio
     if (rough.segments.empty()) break;
     report.candidates += rough.result.segments;
     const std::vector<WallLine> found =
-        select_edges(rough.segments, field, refit, shortest_edge, mask.view());
+        select_edges(rough.segments, with_table, refit, shortest_edge, mask.view());
     lines.insert(lines.end(), found.begin(), found.end());
     if (round == 0) hough = relaxed(hough);
   }

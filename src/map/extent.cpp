@@ -38,6 +38,8 @@ Track sample_track(const WallLine& line, GrayView blurred) {
   track.first = line.begin - search;
   const auto count = static_cast<std::size_t>((line.length() + 2 * search) / step) + 1;
   const double aside = 0.5 * line.width + axis_clearance;
+  track.dark.reserve(count);
+  track.light.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double s = track.at(i);
     if (line.axis) {
@@ -60,6 +62,8 @@ void judge(const WallLine& line, Track& track) {
   const double light = median({track.light.begin() + from, track.light.begin() + to});
   const double half = 0.5 * (dark + light);
   const double scale = light > dark ? 1 / (light - dark) : 0;
+  track.presence.reserve(track.dark.size());
+  track.state.reserve(track.dark.size());
   for (std::size_t i = 0; i < track.dark.size(); ++i) {
     const double is_dark = (half - track.dark[i]) * scale;
     const double is_light = (track.light[i] - half) * scale;
@@ -156,7 +160,7 @@ double black_across(GrayView gray, const WallLine& line, double s) {
 bool is_wall(const Picture& picture, const WallLine& line) {
   if (picture.wall_below > 255) return true;
   std::vector<double> cores, blacks;
-  for (double s = line.begin; s <= line.end; s += 1) {
+  for (double s = line.begin; s <= line.end; s += place_step(line.length())) {
     cores.push_back(darkest_across(picture.gray, line, s));
     if (line.axis) blacks.push_back(black_across(picture.gray, line, s));
   }
@@ -167,7 +171,7 @@ bool is_wall(const Picture& picture, const WallLine& line) {
 void find_free_sides(const Picture& picture, WallLine& line) {
   const double aside = line.axis ? 0.5 * line.width + axis_clearance : face_depth + 1;
   std::vector<double> plus, minus;
-  for (double s = line.begin; s <= line.end; s += 1) {
+  for (double s = line.begin; s <= line.end; s += place_step(line.length())) {
     plus.push_back(gray_beside(picture.gray, line, s, aside));
     minus.push_back(gray_beside(picture.gray, line, s, -aside));
   }

@@ -37,7 +37,7 @@ class AreaMeter {
 double dark_depth(GrayView picture, const WallLine& face, double most) {
   double sum = 0;
   int rows = 0;
-  for (double s = face.begin + 1; s < face.end; s += 1, ++rows) {
+  for (double s = face.begin + 1; s < face.end; s += place_step(face.length()), ++rows) {
     double depth = 1;
     while (depth < most &&
            sample(picture, face.x_at(s) - depth * face.nx, face.y_at(s) - depth * face.ny) < dark_below) {

@@ -8,48 +8,79 @@
 namespace straightedge {
 namespace {
 
-constexpr double cell = 32;
+constexpr double side = 32;
+// Cells; no picture is larger. What lies outside counts as in the outermost cells: neighbours stay neighbours.
+constexpr double before_first = -16;
+constexpr double behind_last = 1040;
 
-std::int64_t key_of(std::int64_t column, std::int64_t row) {
-  return column * (std::int64_t{1} << 32) + row;
-}
-
-/// Calls visit(column, row) for the cells that the line passes through, some of them more than once.
-template <class Visit>
-void walk_cells(const WallLine& line, const Visit& visit) {
-  const int steps = static_cast<int>(line.length() / (0.5 * cell)) + 1;
-  for (int k = 0; k <= steps; ++k) {
-    const double s = line.begin + line.length() * k / steps;
-    visit(static_cast<std::int64_t>(std::floor(line.x_at(s) / cell)),
-          static_cast<std::int64_t>(std::floor(line.y_at(s) / cell)));
-  }
+std::int32_t cell_at(double position) {
+  return static_cast<std::int32_t>(std::clamp(std::floor(position / side), before_first, behind_last));
 }
 
 }  // namespace
 
-LineGrid::LineGrid(const std::vector<WallLine>& lines, double reach) : reach_(reach), lines_(lines.size()) {
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    walk_cells(lines[i], [&](std::int64_t column, std::int64_t row) {
-      std::vector<std::size_t>& here = cells_[key_of(column, row)];
-      if (here.empty() || here.back() != i) here.push_back(i);
-    });
+/// Calls visit(cell) for the cells that the line passes through, some of them more than once.
+template <class Visit>
+void LineGrid::walk(const WallLine& line, const Visit& visit) const {
+  const int steps = static_cast<int>(std::min(line.length() / (0.5 * side), 1e6)) + 1;
+  for (int k = 0; k <= steps; ++k) {
+    const double s = line.begin + line.length() * k / steps;
+    visit(Cell{cell_at(line.x_at(s)), cell_at(line.y_at(s))});
   }
 }
 
+std::size_t LineGrid::number_of(Cell cell) const {
+  return static_cast<std::size_t>(cell.row - first_.row) * static_cast<std::size_t>(columns_) +
+         static_cast<std::size_t>(cell.column - first_.column);
+}
+
+LineGrid::LineGrid(const std::vector<WallLine>& lines, double reach)
+    // A line is sampled every half cell, so it may touch a cell that was not noted: one ring more.
+    : ring_(static_cast<std::int32_t>(std::ceil(reach / side)) + 1), lines_(lines.size()) {
+  std::vector<std::pair<Cell, std::uint32_t>> passes;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto index = static_cast<std::uint32_t>(i);
+    walk(lines[i], [&](Cell cell) {
+      if (passes.empty() || passes.back() != std::pair(cell, index)) passes.emplace_back(cell, index);
+    });
+  }
+  if (!passes.empty()) {
+    Cell last = first_ = passes.front().first;
+    for (const auto& [cell, line] : passes) {
+      first_ = {std::min(first_.column, cell.column), std::min(first_.row, cell.row)};
+      last = {std::max(last.column, cell.column), std::max(last.row, cell.row)};
+    }
+    columns_ = last.column - first_.column + 1;
+    rows_ = last.row - first_.row + 1;
+  }
+  // A counting sort: sizes, then starts, then each pass to its place.
+  starts_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1);
+  for (const auto& [cell, line] : passes) ++starts_[number_of(cell) + 1];
+  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+  indices_.resize(passes.size());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  for (const auto& [cell, line] : passes) indices_[next[number_of(cell)]++] = line;
+}
+
 std::vector<std::size_t> LineGrid::near(const WallLine& line) const {
-  // A line is sampled every half cell, so it may touch a cell that was not noted: one ring more.
-  const auto ring = static_cast<std::int64_t>(std::ceil(reach_ / cell)) + 1;
   std::vector<std::size_t> found;
   std::vector<char> listed(lines_);
-  walk_cells(line, [&](std::int64_t column, std::int64_t row) {
-    for (std::int64_t dc = -ring; dc <= ring; ++dc) {
-      for (std::int64_t dr = -ring; dr <= ring; ++dr) {
-        const auto at = cells_.find(key_of(column + dc, row + dr));
-        if (at == cells_.end()) continue;
-        for (const std::size_t i : at->second) {
-          if (listed[i] == 0) found.push_back(i);
-          listed[i] = 1;
-        }
+  Cell before{INT32_MIN, INT32_MIN};
+  walk(line, [&](Cell cell) {
+    if (cell == before) return;
+    before = cell;
+    const std::int32_t left = std::max(cell.column - ring_, first_.column);
+    const std::int32_t right = std::min(cell.column + ring_, first_.column + columns_ - 1);
+    const std::int32_t top = std::max(cell.row - ring_, first_.row);
+    const std::int32_t bottom = std::min(cell.row + ring_, first_.row + rows_ - 1);
+    if (left > right) return;
+    for (std::int32_t row = top; row <= bottom; ++row) {
+      // The cells of a row lie one behind the other, and so do their lines.
+      const std::uint32_t end = starts_[number_of({right, row}) + 1];
+      for (std::uint32_t k = starts_[number_of({left, row})]; k < end; ++k) {
+        const std::uint32_t i = indices_[k];
+        if (listed[i] == 0) found.push_back(i);
+        listed[i] = 1;
       }
     }
   });

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "map/wall_line.hpp"
@@ -23,9 +23,21 @@ class LineGrid {
   std::vector<std::size_t> near(const WallLine& line) const;
 
  private:
-  double reach_;
+  struct Cell {
+    std::int32_t column = 0, row = 0;
+    bool operator==(const Cell&) const = default;
+  };
+  template <class Visit>
+  void walk(const WallLine& line, const Visit& visit) const;
+  std::size_t number_of(Cell cell) const;
+
+  std::int32_t ring_;
   std::size_t lines_;
-  std::unordered_map<std::int64_t, std::vector<std::size_t>> cells_;
+  // A table over the lines' bounding box.
+  Cell first_;
+  std::int32_t columns_ = 1, rows_ = 1;
+  std::vector<std::uint32_t> starts_;   ///< of each cell's lines, and the end
+  std::vector<std::uint32_t> indices_;  ///< of lines, cell by cell
 };
 
 }  // namespace straightedge

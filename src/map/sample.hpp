@@ -9,6 +9,11 @@
 
 namespace straightedge {
 
+/// The way from one place to the next along a stretch, in pixels, where 64 places tell as much as all.
+inline double place_step(double length) {
+  return length > 64 ? length / 64 : 1;
+}
+
 /// Gray between the pixels, bilinear; coordinates beyond the border read the border.
 inline double sample(GrayView image, double x, double y) {
   const double last_x = image.width - 1;

@@ -25,22 +25,17 @@ bool carries(const RefinedSegment& segment, double min_length) {
          segment.pixels >= min_density * segment.length();
 }
 
-HoughSegment rough_of(const RefinedSegment& s, std::int32_t votes) {
-  const double tx = -s.light_y, ty = s.light_x;
-  const auto pixel = [](double v) { return static_cast<std::int32_t>(v < 0 ? v - 0.5 : v + 0.5); };
-  return {pixel(s.fit.centroid_x + s.begin * tx), pixel(s.fit.centroid_y + s.begin * ty),
-          pixel(s.fit.centroid_x + s.end * tx), pixel(s.fit.centroid_y + s.end * ty), votes};
-}
-
 }  // namespace
 
 std::vector<WallLine> select_edges(std::span<const HoughSegment> rough, const GradientField& field,
                                    const RefitOptions& options, double min_length,
                                    ImageView<std::uint8_t> mask) {
   std::vector<Candidate> candidates;
+  RefitOptions few_rounds = options;
+  few_rounds.rounds = std::min(options.rounds, 2);
   for (std::size_t i = 0; i < rough.size(); ++i) {  // Step 1
     RefinedSegment segment;
-    if (refit_segment(mask, field, rough[i], options, segment) != Status::ok) continue;
+    if (refit_segment(mask, field, rough[i], few_rounds, segment) != Status::ok) continue;
     if (carries(segment, min_length)) candidates.push_back({i, segment});
   }
   std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
@@ -49,9 +44,8 @@ std::vector<WallLine> select_edges(std::span<const HoughSegment> rough, const Gr
   std::vector<WallLine> edges;
   for (const Candidate& candidate : candidates) {  // Step 2
     const std::int32_t votes = rough[candidate.index].votes;
-    RefinedSegment segment;
-    if (refit_segment(mask, field, rough_of(candidate.segment, votes), options, segment) != Status::ok)
-      continue;
+    RefinedSegment segment = candidate.segment;
+    if (refit_again(mask, field, options, segment) != Status::ok) continue;
     if (!carries(segment, min_length)) continue;
     claim_pixels(mask, field, segment, claim_corridor, claim_angle, claim_margin);
     edges.push_back(wall_line_from(segment, static_cast<std::uint32_t>(std::max(votes, 0))));

@@ -25,8 +25,9 @@ Stroke stroke_at(GrayView picture, const WallLine& face, double s, double max_wi
   const double far = -max_width - behind;
   Stroke stroke;
   double dark = 0, moment = 0, last = 0;
+  const double x = face.x_at(s), y = face.y_at(s);
   for (double u = before; u >= far; u -= step) {
-    last = 1 - sample(picture, face.x_at(s) + u * face.nx, face.y_at(s) + u * face.ny) / 255;
+    last = 1 - sample(picture, x + u * face.nx, y + u * face.ny) / 255;
     dark += last;
     moment += u * last;
   }
@@ -44,7 +45,7 @@ std::uint32_t turn_strokes_to_axes(std::vector<WallLine>& lines, GrayView pictur
     if (line.axis) continue;
     double width = 0, centre = 0;
     int places = 0, thin = 0;
-    for (double s = line.begin + 0.5; s < line.end; s += 1, ++places) {
+    for (double s = line.begin + 0.5; s < line.end; s += place_step(line.length()), ++places) {
       const Stroke stroke = stroke_at(picture, line, s, max_width);
       if (!stroke.thin) continue;
       ++thin;

@@ -3,19 +3,17 @@
 #include "map/support.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include "map/area.hpp"
-#include "map/median.hpp"
 
 namespace straightedge {
 namespace {
 
 constexpr double step = 0.5;
 constexpr double nearby = 2.0;
-constexpr double unlimited = 1e9;
 constexpr double end_tolerance = 4;
 // A wall pixel has this share of the darkness that walls of the picture usually have, and need not have more
 // than `usual_dark` of full black.
@@ -36,99 +34,122 @@ struct Run {
   double length() const { return end - begin; }
 };
 
-/// How dark each pixel is, 0 to 255.
-Image<std::uint8_t> darkness_of(GrayView stretched) {
-  Image<std::uint8_t> out(stretched.size());
-  for (std::int32_t y = 0; y < stretched.height; ++y) {
-    const std::uint8_t* const row = stretched.row(y);
-    std::uint8_t* const dark = out.view().row(y);
-    for (std::int32_t x = 0; x < stretched.width; ++x) dark[x] = static_cast<std::uint8_t>(255 - row[x]);
+/// Of the darknesses counted, the upper one of the two in the middle when their number is even.
+double middle_of(const std::array<std::uint32_t, 256>& counts) {
+  std::uint32_t total = 0, below = 0;
+  for (const std::uint32_t count : counts) total += count;
+  for (std::size_t v = 0; v < counts.size(); ++v) {
+    below += counts[v];
+    if (below > total / 2) return static_cast<double>(v);
   }
-  return out;
-}
-
-/// The first column from x on that is as dark as `least`, or the width: most pixels of a map are not.
-std::int32_t next_dark(const std::uint8_t* darkness, std::int32_t x, std::int32_t width, int least) {
-  constexpr std::int32_t many = 32;
-  while (x + many <= width) {
-    unsigned any = 0;
-    for (std::int32_t k = 0; k < many; ++k) any |= darkness[x + k] >= least ? 1U : 0U;
-    if (any != 0) break;
-    x += many;
-  }
-  while (x < width && darkness[x] < least) ++x;
-  return x;
-}
-
-/// A thin wall that runs between two pixels darkens both by half: makes them as dark as `from`.
-void join_pairs(ImageView<std::uint8_t> darkness, int from) {
-  const int enough = static_cast<int>(255 * pair_dark);
-  const int least = (enough + 3) / 4;
-  for (std::int32_t y = 0; y < darkness.height; ++y) {
-    const std::uint8_t* const row = darkness.row(y);
-    for (std::int32_t x = next_dark(row, 0, darkness.width, least); x < darkness.width;
-         x = next_dark(row, x + 1, darkness.width, least)) {
-      const int here = row[x];
-      if (here >= from) continue;
-      for (const auto& [nx, ny] : {std::pair{x + 1, y}, std::pair{x, y + 1}}) {
-        if (!darkness.contains(nx, ny)) continue;
-        const int next = darkness.at(nx, ny);
-        if (next < from && here + next >= enough) darkness.at(x, y) = static_cast<std::uint8_t>(from);
-      }
-    }
-  }
+  return -1;
 }
 
 /// Step 1.
-int dark_from(const std::vector<WallLine>& lines, const Picture& picture, GrayView darkness, double share) {
-  std::vector<double> cores;
+int dark_from(const std::vector<WallLine>& lines, const Picture& picture, double share) {
+  const GrayView gray = picture.stretched;
+  std::array<std::uint32_t, 256> cores{};
   for (const WallLine& line : lines) {
     for (double s = line.begin + 1; s < line.end; s += 2) {
-      double darkest = 0;
+      const double x0 = line.x_at(s) + 0.5, y0 = line.y_at(s) + 0.5;
+      std::uint8_t lightest = 255;
       for (double u = line.axis ? -1 : -2.5; u <= (line.axis ? 1 : -1); u += step) {
-        const auto x = static_cast<std::int32_t>(line.x_at(s) + u * line.nx + 0.5);
-        const auto y = static_cast<std::int32_t>(line.y_at(s) + u * line.ny + 0.5);
-        if (darkness.contains(x, y)) darkest = std::max<double>(darkest, darkness.at(x, y));
+        const auto x = static_cast<std::int32_t>(x0 + u * line.nx);
+        const auto y = static_cast<std::int32_t>(y0 + u * line.ny);
+        if (gray.contains(x, y)) lightest = std::min(lightest, gray.at(x, y));
       }
-      cores.push_back(darkest);
+      ++cores[std::size_t{255} - lightest];
     }
   }
-  if (cores.empty()) return 1;
+  const double usual = middle_of(cores);
+  if (usual < 0) return 1;
   const double dark = picture.wall_below <= 255 ? 1 - picture.wall_below / picture.ground : usual_dark;
-  return static_cast<int>(std::min(255 * dark, share * median(cores))) + 1;
+  return static_cast<int>(std::min(255 * dark, share * usual)) + 1;
 }
 
-/// Step 2: 255 on dark areas that are no crumbs.
-Image<std::uint8_t> solid_areas(GrayView darkness, int from, double min_piece) {
-  constexpr std::uint8_t crumb = 1;
-  Image<std::uint8_t> solid(darkness.size());
-  const auto is_dark = [&](Pixel p) { return darkness.at(p.x, p.y) >= from; };
-  std::vector<Pixel> area;
-  for (std::int32_t y = 0; y < darkness.height; ++y) {
-    const std::uint8_t* const row = darkness.row(y);
-    for (std::int32_t x = next_dark(row, 0, darkness.width, from); x < darkness.width;
-         x = next_dark(row, x + 1, darkness.width, from)) {
-      if (solid.at(x, y) != 0 || !is_dark({x, y})) continue;
-      const Square square = grow_area({x, y}, solid.view(), unlimited, area, is_dark);
-      if (square.side() >= min_piece) continue;
-      for (const Pixel p : area) solid.at(p.x, p.y) = crumb;
+/// Step 2, for those pixels alone that somebody asks for.
+class SolidAreas {
+ public:
+  SolidAreas(GrayView stretched, int from, double min_piece)
+      : gray_(stretched), from_(from), min_piece_(min_piece), known_(stretched.size(), unknown) {}
+
+  /// Whether the pixel lies in the picture, on a dark area that is no crumb.
+  bool contain(std::int32_t x, std::int32_t y) {
+    if (!gray_.contains(x, y)) return false;
+    if (known_.at(x, y) == unknown && is_dark(x, y)) grow({x, y});
+    return known_.at(x, y) == solid;
+  }
+
+ private:
+  static constexpr std::uint8_t unknown = 0, growing = 1, crumb = 2, solid = 3;
+
+  int darkness(std::int32_t x, std::int32_t y) const { return 255 - gray_.at(x, y); }
+
+  /// A thin wall that runs between two pixels darkens both by half; it is one pixel, then.
+  bool is_dark(std::int32_t x, std::int32_t y) const {
+    constexpr int enough = static_cast<int>(255 * pair_dark);
+    const int here = darkness(x, y);
+    if (here >= from_) return true;
+    const auto makes_pair = [&](int next) { return next < from_ && here + next >= enough; };
+    return (x + 1 < gray_.width && makes_pair(darkness(x + 1, y))) ||
+           (y + 1 < gray_.height && makes_pair(darkness(x, y + 1)));
+  }
+
+  /// Flood fill with a list in place of recursion, until the area is too large for a crumb.
+  void grow(Pixel seed) {
+    Square square{seed.x, seed.x, seed.y, seed.y};
+    bool large = min_piece_ <= 1;
+    area_.assign(1, seed);
+    known_.at(seed.x, seed.y) = growing;
+    for (std::size_t next = 0; next < area_.size() && !large; ++next) {
+      const Pixel at = area_[next];
+      square = {std::min(square.left, at.x), std::max(square.right, at.x), std::min(square.top, at.y),
+                std::max(square.bottom, at.y)};
+      large = square.side() >= min_piece_ || !take_neighbours(at);
     }
+    for (const Pixel p : area_) known_.at(p.x, p.y) = large ? solid : crumb;
   }
-  return solid;
-}
 
-bool wall_near(GrayView solid, const WallLine& line, double s) {
-  const double from = line.axis ? -nearby : -nearby - 0.5;
-  for (double u = from; u <= nearby; u += step) {
-    const auto x = static_cast<std::int32_t>(line.x_at(s) + u * line.nx + 0.5);
-    const auto y = static_cast<std::int32_t>(line.y_at(s) + u * line.ny + 0.5);
-    if (solid.contains(x, y) && solid.at(x, y) == 255) return true;
+  /// False when one of them is known to lie on a large area.
+  bool take_neighbours(Pixel at) {
+    for (std::int32_t k = 0; k < 9; ++k) {
+      const Pixel to{at.x + k % 3 - 1, at.y + k / 3 - 1};
+      if (!gray_.contains(to.x, to.y)) continue;
+      std::uint8_t& known = known_.at(to.x, to.y);
+      if (known == solid) return false;
+      if (known != unknown || !is_dark(to.x, to.y)) continue;
+      known = growing;
+      area_.push_back(to);
+    }
+    return true;
   }
+
+  GrayView gray_;
+  int from_;
+  double min_piece_;
+  Image<std::uint8_t> known_;
+  std::vector<Pixel> area_;
+};
+
+/// Outwards from where it is likeliest: the first place tells, mostly.
+bool wall_near(SolidAreas& solid, const WallLine& line, double s) {
+  const double x0 = line.x_at(s) + 0.5, y0 = line.y_at(s) + 0.5;
+  const auto is_wall = [&](double u) {
+    const auto x = static_cast<std::int32_t>(x0 + u * line.nx);
+    const auto y = static_cast<std::int32_t>(y0 + u * line.ny);
+    return solid.contain(x, y);
+  };
+  const double middle = line.axis ? 0 : -1;
+  const double back = line.axis ? -nearby : -nearby - 0.5;
+  for (double u = middle; u >= back; u -= step)
+    if (is_wall(u)) return true;
+  for (double u = middle + step; u <= nearby; u += step)
+    if (is_wall(u)) return true;
   return false;
 }
 
 /// Step 3.
-std::vector<Run> runs_of(GrayView solid, const WallLine& line) {
+std::vector<Run> runs_of(SolidAreas& solid, const WallLine& line) {
   std::vector<Run> runs;
   for (double s = line.begin + 0.5 * step; s < line.end; s += step) {
     if (!wall_near(solid, line, s)) continue;
@@ -152,11 +173,8 @@ bool is_chance(const WallLine& line) {
 std::vector<WallLine> keep_supported(const std::vector<WallLine>& lines, const Picture& picture,
                                      const SupportOptions& options) {
   std::vector<WallLine> out;
-  Image<std::uint8_t> darkness = darkness_of(picture.stretched);
-  const int from = dark_from(lines, picture, darkness, picture.noisy ? noisy_dark_share : dark_share);
-  join_pairs(darkness.view(), from);
-  const Image<std::uint8_t> solid =
-      solid_areas(darkness, from, picture.noisy ? noisy_min_piece : options.min_piece);
+  const int from = dark_from(lines, picture, picture.noisy ? noisy_dark_share : dark_share);
+  SolidAreas solid(picture.stretched, from, picture.noisy ? noisy_min_piece : options.min_piece);
   for (const WallLine& line : lines) {
     const std::vector<Run> runs = runs_of(solid, line);
     for (std::size_t i = 0; i < runs.size();) {

@@ -40,18 +40,17 @@ bool opposite(const WallLine& a, const WallLine& b, double max_distance) {
 
 /// Step 2: mean over the stretch of the darkness across the wall, in pixels of black.
 double wall_width(GrayView picture, const WallLine& a, Span stretch, double distance) {
-  constexpr double step = 0.25;
+  constexpr double step = 0.5;
   const double reach = 0.5 * distance + 2.5;
   double sum = 0;
   int rows = 0;
-  for (double s = stretch.begin; s <= stretch.end; s += 1) {
-    for (double u = -reach; u <= reach; u += step) {
-      const double depth = u - 0.5 * distance;
-      sum += step * (255 - sample(picture, a.x_at(s) + depth * a.nx, a.y_at(s) + depth * a.ny)) / 255;
-    }
+  for (double s = stretch.begin; s <= stretch.end; s += place_step(stretch.length())) {
+    const double x = a.x_at(s), y = a.y_at(s);
+    for (double depth = -reach - 0.5 * distance; depth <= reach - 0.5 * distance; depth += step)
+      sum += 255 - sample(picture, x + depth * a.nx, y + depth * a.ny);
     ++rows;
   }
-  return rows > 0 ? sum / rows : 0;
+  return rows > 0 ? step * sum / 255 / rows : 0;
 }
 
 void add_side(const WallLine& side, double move, double about_x, double about_y, LineMoments& sums) {
