@@ -75,10 +75,10 @@ struct HoughKernels {
   /// The columns of the edge pixels of a row, ascending, and how many. `columns` has room for width + 8.
   std::int32_t (*edge_columns)(const std::uint8_t* row, std::int32_t width, std::uint16_t* columns) noexcept;
 
-  /// For each of the columns listed: the first angle of the window round the gradient (dx, dy) of that pixel,
-  /// in [0, half_turn), or `hough_no_direction`, written to the same column of `first`.
-  void (*first_angles)(const std::int16_t* dx, const std::int16_t* dy, const std::uint16_t* columns,
-                       std::int32_t count, const HoughWindowRule& rule, std::uint16_t* first) noexcept;
+  /// For each of `count` gradients (dx, dy): the first angle of the window round it, in [0, half_turn), or
+  /// `hough_no_direction`.
+  void (*first_angles)(const std::int16_t* dx, const std::int16_t* dy, std::int32_t count,
+                       const HoughWindowRule& rule, std::uint16_t* first) noexcept;
 };
 
 /// Portable loops; what every other table is compared with.

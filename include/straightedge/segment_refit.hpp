@@ -32,7 +32,6 @@ struct RefinedSegment {
   double begin = 0;  ///< extent along (−light_y, light_x), from the centroid; begin < end
   double end = 0;
   std::uint32_t pixels = 0;  ///< edge pixels that carry it
-  std::uint64_t places = 0;  ///< stands for which pixels these are
 
   double length() const noexcept { return end - begin; }
 };
@@ -44,18 +43,14 @@ struct RefinedSegment {
 ///    whose gradient points to the light side within max_angle, until a hole is longer than max_gap.
 /// 3. Take each pixel's sub-pixel position (edge_position.hpp) and weight, fit a line, go to 2; at most
 ///    `rounds` times, and no more when the pixels are those of the round before.
-/// 4. Before the last of three rounds or more, or when the pixels stay the same: when the two halves lie on
-///    lines a step apart, they are two walls that nearly continue one another; go on with the larger half in a
-///    corridor half as wide.
+/// 4. Before the last round, or when the pixels stay the same: when the two halves lie on lines a step apart,
+///    they are two walls that nearly continue one another; go on with the larger half in a corridor half as
+///    wide.
 ///
 /// `mask` says which edge pixels may be used (non-zero). Cost: proportional to the segment's length.
 /// Nothing near: `pixels` is 0. invalid_option, invalid_image, size_mismatch as named.
 Status refit_segment(GrayView mask, const GradientField& field, const HoughSegment& rough,
                      const RefitOptions& options, RefinedSegment& refined) noexcept;
-
-/// The same for a segment that was refit before, on a mask that may have lost pixels since: from step 2 on.
-Status refit_again(GrayView mask, const GradientField& field, const RefitOptions& options,
-                   RefinedSegment& segment) noexcept;
 
 /// Clears from the mask the edge pixels that belong to a segment: those within `corridor` of it whose
 /// gradient points to its light side within max_angle, from `margin` before its begin to `margin` after its

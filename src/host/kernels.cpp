@@ -23,7 +23,8 @@ constexpr KernelSet all_sets[] = {
      .depth = &avx2_depth_kernels,
      .plane_search = &avx2_plane_search_kernels,
      .hough_patches = &avx2_hough_patch_kernels,
-     .plane_rows = &avx2_plane_row_kernels},
+     .plane_rows = &avx2_plane_row_kernels,
+     .picture_rows = &avx2_picture_row_kernels},
     {.name = "avx512",
      .canny_rows = &avx512_canny_row_kernels,
      .ransac = &avx512_ransac_kernels,
@@ -31,7 +32,8 @@ constexpr KernelSet all_sets[] = {
      .depth = &avx512_depth_kernels,
      .plane_search = &avx512_plane_search_kernels,
      .hough_patches = &avx512_hough_patch_kernels,
-     .plane_rows = &avx512_plane_row_kernels},
+     .plane_rows = &avx512_plane_row_kernels,
+     .picture_rows = &avx512_picture_row_kernels},
 #endif
 };
 

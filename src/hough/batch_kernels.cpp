@@ -213,22 +213,21 @@ inline void find_first(Directions& d, std::int32_t count, const HoughWindowRule&
   }
 }
 
-void first_angles(const std::int16_t* dx, const std::int16_t* dy, const std::uint16_t* columns,
-                  std::int32_t count, const HoughWindowRule& rule, std::uint16_t* first) noexcept {
+void first_angles(const std::int16_t* dx, const std::int16_t* dy, std::int32_t count,
+                  const HoughWindowRule& rule, std::uint16_t* first) noexcept {
   Directions d;
   for (std::int32_t start = 0; start < count; start += some_directions) {
     const std::int32_t some = count - start < some_directions ? count - start : some_directions;
     const std::int32_t whole = (some + lanes - 1) / lanes * lanes;
     for (std::int32_t i = 0; i < some; ++i) {
-      d.dx[i] = dx[columns[start + i]];
-      d.dy[i] = dy[columns[start + i]];
+      d.dx[i] = dx[start + i];
+      d.dy[i] = dy[start + i];
     }
     for (std::int32_t i = some; i < whole; ++i) d.dx[i] = d.dy[i] = 0;
     find_ratios(d, whole);
     for (std::int32_t i = 0; i < whole; ++i) d.nearby[i] = arc_tangents_of_eighths[d.eighth[i]];
     find_first(d, whole, rule);
-    for (std::int32_t i = 0; i < some; ++i)
-      first[columns[start + i]] = static_cast<std::uint16_t>(d.first[i]);
+    for (std::int32_t i = 0; i < some; ++i) first[start + i] = static_cast<std::uint16_t>(d.first[i]);
   }
 }
 

@@ -46,7 +46,13 @@ class Drawing {
     const PixelPlace pixel = points_[index];
     points_[index] = points_[--not_drawn_];
     states_.expect(pixel.x, pixel.y);
+    if (!job_.memory.firsts.empty()) expect_window(pixel);
     return pixel;
+  }
+
+  void expect_window(PixelPlace pixel) const noexcept {
+    const auto width = static_cast<std::size_t>(job_.edges.width);
+    __builtin_prefetch(&job_.memory.firsts[pixel.y * width + pixel.x]);
   }
 
   const HoughJob& job_;

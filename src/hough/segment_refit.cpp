@@ -140,7 +140,7 @@ Collected collect_both_ways(GrayView mask, const GradientField& field, const Cor
 RefinedSegment refined_from(const Collected& found, const Corridor& before, const Corridor& strip,
                             const LineFit& fit) noexcept {
   RefinedSegment refined{found.moments, before.px,   before.py, fit,         strip.nx,
-                         strip.ny,      found.begin, found.end, found.pixels, found.places};
+                         strip.ny,      found.begin, found.end, found.pixels};
   const double moved = fit.centroid_x * strip.tx() + fit.centroid_y * strip.ty();
   refined.begin -= moved;
   refined.end -= moved;
@@ -168,11 +168,19 @@ Corridor corridor_of(const HoughSegment& rough, const RefitOptions& options) noe
   return strip;
 }
 
-/// Steps 2 to 4. `found` are the pixels of the round before, if there was one.
-Status go_on(GrayView mask, const GradientField& field, const RefitOptions& options, Corridor strip,
-             Collected last, RefinedSegment& refined) noexcept {
+}  // namespace
+
+Status refit_segment(GrayView mask, const GradientField& field, const HoughSegment& rough,
+                     const RefitOptions& options, RefinedSegment& refined) noexcept {
+  refined = {};
+  if (!valid(options)) return Status::invalid_option;
+  if (!mask.valid() || !field.valid()) return Status::invalid_image;
+  if (mask.size() != field.x.size()) return Status::size_mismatch;
+  Corridor strip = corridor_of(rough, options);
+  if (!find_light_side(mask, field, steps_of(strip, rough), strip)) return Status::ok;  // Step 1
+  Collected last;
   double corridor = options.corridor;
-  bool may_step = options.rounds > 2;
+  bool may_step = true;
   for (int left = options.rounds; left > 0; --left) {
     const Collected found = collect_both_ways(mask, field, strip, options);  // Step 2
     const bool settled = found.same_pixels(last);
@@ -195,45 +203,6 @@ Status go_on(GrayView mask, const GradientField& field, const RefitOptions& opti
     strip.half_width = corridor;
   }
   return Status::ok;
-}
-
-Status check(GrayView mask, const GradientField& field, const RefitOptions& options) noexcept {
-  if (!valid(options)) return Status::invalid_option;
-  if (!mask.valid() || !field.valid()) return Status::invalid_image;
-  return mask.size() == field.x.size() ? Status::ok : Status::size_mismatch;
-}
-
-}  // namespace
-
-Status refit_segment(GrayView mask, const GradientField& field, const HoughSegment& rough,
-                     const RefitOptions& options, RefinedSegment& refined) noexcept {
-  refined = {};
-  const Status status = check(mask, field, options);
-  if (status != Status::ok) return status;
-  Corridor strip = corridor_of(rough, options);
-  if (!find_light_side(mask, field, steps_of(strip, rough), strip)) return Status::ok;  // Step 1
-  return go_on(mask, field, options, strip, {}, refined);
-}
-
-Status refit_again(GrayView mask, const GradientField& field, const RefitOptions& options,
-                   RefinedSegment& segment) noexcept {
-  const Status status = check(mask, field, options);
-  if (status != Status::ok || segment.pixels == 0) {
-    segment = {};
-    return status;
-  }
-  Corridor strip;
-  const double middle = 0.5 * (segment.begin + segment.end);
-  strip.nx = segment.light_x;
-  strip.ny = segment.light_y;
-  strip.px = segment.fit.centroid_x + middle * strip.tx();
-  strip.py = segment.fit.centroid_y + middle * strip.ty();
-  strip.half_width = options.corridor;
-  strip.cos_max_angle = cosine(options.max_angle);
-  Collected last;
-  last.pixels = segment.pixels;
-  last.places = segment.places;
-  return go_on(mask, field, options, strip, last, segment);
 }
 
 std::uint32_t claim_pixels(ImageView<std::uint8_t> mask, const GradientField& field,

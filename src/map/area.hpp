@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "straightedge/image.hpp"
+#include "straightedge/host/image.hpp"
 
 namespace straightedge {
 
@@ -20,6 +20,12 @@ struct Square {
   std::int32_t left = 0, right = 0, top = 0, bottom = 0;
   std::int32_t side() const { return std::max(right - left, bottom - top) + 1; }
 };
+
+/// An image of that size whose pixels are 0, in the memory that is there if it fits.
+inline void clear(Image<std::uint8_t>& image, Size size) {
+  if (image.size() != size) image = Image<std::uint8_t>::for_overwrite(size);
+  for (std::int32_t y = 0; y < size.height; ++y) std::fill_n(image.view().row(y), size.width, std::uint8_t{0});
+}
 
 /// Flood fill with a list in place of recursion: collects in `area` the pixels that hang together with the
 /// seed (8-neighbours) and are `inside`, and marks them in `seen`, whose other pixels are 0 where they may be

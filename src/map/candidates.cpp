@@ -5,10 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "map/edge_table.hpp"
 #include "map/select.hpp"
-#include "straightedge/host/hough_lines.hpp"
-
 namespace straightedge {
 namespace {
 
@@ -22,36 +19,34 @@ HoughOptions relaxed(HoughOptions options) {
   return options;
 }
 
-Image<std::uint8_t> copy_of(GrayView image) {
-  auto copy = Image<std::uint8_t>::for_overwrite(image.size());
-  for (std::int32_t y = 0; y < image.height; ++y) {
+void copy_mask(GrayView image, Image<std::uint8_t>& copy) {
+  if (copy.size() != image.size()) copy = Image<std::uint8_t>::for_overwrite(image.size());
+  for (std::int32_t y = 0; y < image.height; ++y)
     std::memcpy(copy.view().row(y), image.row(y), static_cast<std::size_t>(image.width));
-  }
-  return copy;
 }
 
 }  // namespace
 
 Status find_edges(GrayView edges, const GradientField& field, const LineMapOptions& options,
-                  const KernelSet& kernels, std::vector<WallLine>& lines, LineMapReport& report) {
-  Image<std::uint8_t> mask = copy_of(edges);
-  EdgePoints points;
-  points.find(edges, field, kernels);
+                  const KernelSet& kernels, EdgeRoom& room, std::vector<WallLine>& lines,
+                  LineMapReport& report) {
+  copy_mask(edges, room.mask);
+  room.points.find(edges, field, kernels);
   GradientField with_table = field;
-  with_table.table = &points.table();
+  with_table.table = &room.points.table();
   HoughOptions hough = first_round(options);
   hough.kernels = kernels.hough;
   RefitOptions refit;
   refit.max_gap = std::min(options.max_gap, 8.0);
   for (int round = 0; round < max_rounds; ++round) {
-    const HoughFound rough = hough_lines(mask, hough, {field.x, field.y});
-    if (rough.result.status != Status::ok) return rough.result.status;
-    if (round == 0) report.hough = rough.result;
+    const std::span<const HoughSegment> rough = room.hough.run(room.mask, {field.x, field.y}, hough);
+    if (room.hough.result.status != Status::ok) return room.hough.result.status;
+    if (round == 0) report.hough = room.hough.result;
     ++report.rounds;
-    if (rough.segments.empty()) break;
-    report.candidates += rough.result.segments;
+    if (rough.empty()) break;
+    report.candidates += room.hough.result.segments;
     const std::vector<WallLine> found =
-        select_edges(rough.segments, with_table, refit, shortest_edge, mask.view());
+        select_edges(rough, with_table, refit, shortest_edge, room.mask.view());
     lines.insert(lines.end(), found.begin(), found.end());
     if (round == 0) hough = relaxed(hough);
   }

@@ -113,18 +113,18 @@ Status EdgePlanes::by_stages(GrayView gray, const CannyOptions& options) {
   return result.status;
 }
 
-Image<std::int32_t> EdgePlanes::magnitude(GradientNorm norm) const {
-  Image<std::int32_t> out(dx.size());
+void EdgePlanes::magnitude(GradientNorm norm, Image<std::int32_t>& out) const {
+  if (out.size() != dx.size()) out = Image<std::int32_t>::for_overwrite(dx.size());
   for (std::int32_t y = 0; y < dx.height; ++y) {
     const std::int16_t* const along = dx.row(y);
     const std::int16_t* const down = dy.row(y);
     std::int32_t* const row = out.view().row(y);
-    for (std::int32_t x = 0; x < dx.width; ++x) {
+    const std::int32_t width = dx.width;
+    for (std::int32_t x = 0; x < width; ++x) {
       const std::int32_t a = along[x], b = down[x];
       row[x] = norm == GradientNorm::l1 ? (a < 0 ? -a : a) + (b < 0 ? -b : b) : a * a + b * b;
     }
   }
-  return out;
 }
 
 }  // namespace straightedge

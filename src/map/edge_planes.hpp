@@ -26,7 +26,7 @@ class EdgePlanes {
   Status detect(GrayView gray, const CannyOptions& options, const KernelSet& kernels);
 
   /// As Canny's: |dx| + |dy| or dx² + dy².
-  Image<std::int32_t> magnitude(GradientNorm norm) const;
+  void magnitude(GradientNorm norm, Image<std::int32_t>& out) const;
 
  private:
   void reserve(std::size_t bytes);

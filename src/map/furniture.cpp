@@ -16,8 +16,10 @@ constexpr std::uint8_t dark_below = 128;
 /// Step 1, for the one area that holds the seed.
 class AreaMeter {
  public:
-  AreaMeter(GrayView picture, double max_size)
-      : picture_(picture), max_size_(max_size), seen_(picture.size(), 0) {}
+  AreaMeter(GrayView picture, double max_size, Image<std::uint8_t>& marks)
+      : picture_(picture), max_size_(max_size), seen_(marks) {
+    clear(marks, picture.size());
+  }
 
   bool is_small(Pixel seed) {
     const Square square = grow_area(seed, seen_.view(), max_size_, area_,
@@ -29,7 +31,7 @@ class AreaMeter {
  private:
   GrayView picture_;
   double max_size_;
-  Image<std::uint8_t> seen_;
+  Image<std::uint8_t>& seen_;
   std::vector<Pixel> area_;
 };
 
@@ -66,8 +68,8 @@ bool dark_behind(GrayView picture, const WallLine& face, Pixel& found) {
 }  // namespace
 
 std::uint32_t drop_furniture(std::vector<WallLine>& lines, GrayView picture, double max_size,
-                             double max_wall_width) {
-  AreaMeter meter(picture, max_size);
+                             double max_wall_width, Image<std::uint8_t>& marks) {
+  AreaMeter meter(picture, max_size, marks);
   const std::size_t before = lines.size();
   std::erase_if(lines, [&](const WallLine& line) {  // Step 2
     Pixel seed;

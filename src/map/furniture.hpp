@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "map/wall_line.hpp"
-#include "straightedge/image.hpp"
+#include "straightedge/host/image.hpp"
 
 namespace straightedge {
 
@@ -17,8 +17,8 @@ namespace straightedge {
 /// 2. A face goes when the area on its dark side fits into `max_size` pixels in width and height and is
 ///    thicker than a thin wall. What is no thicker stays, however short: a dashed wall is made of such
 ///    pieces.
-/// Returns how many faces went.
+/// Returns how many faces went. `marks` is memory that may be kept from one picture to the next.
 std::uint32_t drop_furniture(std::vector<WallLine>& lines, GrayView picture, double max_size,
-                             double max_wall_width);
+                             double max_wall_width, Image<std::uint8_t>& marks);
 
 }  // namespace straightedge

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -49,30 +49,27 @@ struct Edges {
   GradientField field() const { return {planes.dx, planes.dy, sharpness}; }
 };
 
-bool same_pixels(GrayView a, GrayView b) {
-  const auto width = static_cast<std::size_t>(a.width);
-  for (std::int32_t y = 0; y < a.height; ++y)
-    if (std::memcmp(a.row(y), b.row(y), width) != 0) return false;
-  return true;
-}
-
 Status detect_edges(const Picture& picture, const CannyOptions& options, const KernelSet& kernels,
                     Edges& edges) {
-  const Status status = edges.planes.detect(picture.gray, options, kernels);
-  if (status != Status::ok) return status;
-  edges.sharpness = edges.planes.magnitude(options.norm);
-  if (picture.kind != PictureKind::map || same_pixels(picture.gray, picture.stretched)) return Status::ok;
-  return edges.planes.detect(picture.stretched, options, kernels);
+  // Where stretching has cut nothing off, the stretched picture has its edges where the given one has them.
+  if (picture.clipped) {
+    const Status status = edges.planes.detect(picture.gray, options, kernels);
+    if (status != Status::ok) return status;
+    edges.planes.magnitude(options.norm, edges.sharpness);
+  }
+  const Status status = edges.planes.detect(picture.stretched, options, kernels);
+  if (status == Status::ok && !picture.clipped) edges.planes.magnitude(options.norm, edges.sharpness);
+  return status;
 }
 
 /// Steps 4 to 6: what only a map can tell, for only there dark means wall.
 void read_walls(const Picture& picture, GrayView blurred, const LineMapOptions& options,
-                std::vector<WallLine>& lines, LineMapReport& report) {
+                Image<std::uint8_t>& marks, std::vector<WallLine>& lines, LineMapReport& report) {
   report.walls = join_thin_walls(lines, picture.stretched, options.max_wall_width);
   report.walls += turn_strokes_to_axes(lines, picture.stretched, options.max_wall_width);
   const std::size_t before = lines.size();
   lines = measure_extents(lines, picture, blurred, {options.max_gap, options.max_wall_width});
-  lines = keep_supported(lines, picture, {});
+  lines = keep_supported(lines, picture, {}, marks);
   report.no_wall = static_cast<std::uint32_t>(before > lines.size() ? before - lines.size() : 0);
 }
 
@@ -97,40 +94,57 @@ std::vector<std::vector<std::size_t>> long_enough(const std::vector<WallLine>& l
 
 }  // namespace
 
-Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options, const KernelSet& kernels) {
+struct LineMapBuilder::Room {
+  Picture picture;
+  Edges edges;
+  EdgeRoom candidates;
+  Image<std::uint8_t> marks;
+};
+
+LineMapBuilder::LineMapBuilder(const LineMapOptions& options, const KernelSet& kernels)
+    : options_(options), kernels_(kernels), room_(std::make_unique<Room>()) {}
+
+LineMapBuilder::~LineMapBuilder() = default;
+LineMapBuilder::LineMapBuilder(LineMapBuilder&&) noexcept = default;
+LineMapBuilder& LineMapBuilder::operator=(LineMapBuilder&&) noexcept = default;
+
+Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
+  const LineMapOptions& options = options_;
   if (!gray.valid()) return Failure{Problem::bad_content, "the picture has no pixels"};
   if (!valid(options) || (options.meaning && !valid(*options.meaning)))
     return failure_of("the line map's options", Status::invalid_option);
   LineMapResult out;
   LineMapReport& report = out.report;
   // Step 1: what the picture shows.
-  const Picture picture = understand_picture(gray, options.picture, options.meaning);
+  Picture& picture = room_->picture;
+  understand_picture(gray, options.picture, options.meaning, *kernels_.picture_rows, picture);
   report.picture = picture.kind;
   // Step 2: edges.
-  Edges edges;
-  Status status = detect_edges(picture, options.canny, kernels, edges);
+  Edges& edges = room_->edges;
+  Status status = detect_edges(picture, options.canny, kernels_, edges);
   if (status != Status::ok) return failure_of("the edge detector", status);
   report.canny = edges.planes.result;
   // Step 3: straight edges, each with pixels of its own.
   std::vector<WallLine> lines;
-  status = find_edges(edges.planes.pixels, edges.field(), options, kernels, lines, report);
+  status = find_edges(edges.planes.pixels, edges.field(), options, kernels_, room_->candidates, lines, report);
   if (status != Status::ok) return failure_of("the Hough transform", status);
   // Steps 4 to 6: thin walls become axes, ends are measured, what is no wall goes.
-  if (picture.kind == PictureKind::map) read_walls(picture, edges.planes.blurred, options, lines, report);
+  const bool map = picture.kind == PictureKind::map;
+  if (map) read_walls(picture, edges.planes.blurred, options, room_->marks, lines, report);
   // Step 7: one segment where several lie on one another; small things that stand alone go.
   const MergeOptions merge;
   report.merged = merge_fragments(lines, picture, merge);
   const std::vector<WallLine> helpers = split_off_short(lines, options.min_length - corner_reach);
-  if (picture.kind == PictureKind::map) {
-    report.furniture =
-        drop_furniture(lines, picture.stretched, options.furniture_size, options.max_wall_width);
+  if (map) {
+    report.furniture = drop_furniture(lines, picture.stretched, options.furniture_size,
+                                      options.max_wall_width, room_->marks);
   }
   // Step 8: segments of one infinite line share its fit.
   const auto groups = group_collinear(lines, picture, merge);
   const std::uint32_t bridged = picture.noisy ? bridge_pale_gaps(lines, groups, edges.planes.blurred) : 0;
   report.merged += bridged;
   // Step 9: corners are closed; what is too short goes.
-  if (picture.kind == PictureKind::map) close_corners(lines, helpers, corner_reach);
+  if (map) close_corners(lines, helpers, corner_reach);
   const auto kept = long_enough(lines, groups, options.min_length);
   // Step 10: the map's frame.
   out.map.lines = to_map_lines(lines, kept, picture);
@@ -140,6 +154,10 @@ Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& option
   report.lines = static_cast<std::uint32_t>(out.map.lines.size());
   report.too_short = static_cast<std::uint32_t>(helpers.size() + lines.size() - bridged - report.segments);
   return out;
+}
+
+Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options, const KernelSet& kernels) {
+  return LineMapBuilder(options, kernels).build(gray);
 }
 
 }  // namespace straightedge

@@ -46,14 +46,13 @@ Histogram histogram_of(GrayView gray) {
 
 /// Histogram of the medians of 4x4 blocks, scaled to the number of pixels: grain and specks vanish, edges do
 /// not make levels of their own, even areas stay.
-Histogram block_histogram(GrayView gray) {
+Histogram block_histogram(GrayView gray, const PictureRowKernels& kernels) {
   Histogram histogram{};
-  const std::int32_t side_x = std::min(block, gray.width), side_y = std::min(block, gray.height);
-  const std::int32_t area = side_x * side_y;
-  std::vector<std::uint8_t> medians(static_cast<std::size_t>(gray.width / side_x));
-  for (std::int32_t y = 0; y + side_y <= gray.height; y += side_y) {
-    block_medians(gray, y, {side_x, side_y}, medians);
-    for (const std::uint8_t median : medians) histogram[median] += area;
+  const Size side{std::min(block, gray.width), std::min(block, gray.height)};
+  std::vector<std::uint8_t> medians(static_cast<std::size_t>(gray.width / side.width));
+  for (std::int32_t y = 0; y + side.height <= gray.height; y += side.height) {
+    block_medians(gray, y, side, kernels, medians);
+    for (const std::uint8_t median : medians) histogram[median] += side.width * side.height;
   }
   return histogram;
 }
@@ -118,73 +117,40 @@ int darkest_level(const Histogram& histogram, std::int64_t pixels) {
   return 0;
 }
 
-Image<std::uint8_t> through_table(GrayView gray, const std::array<std::uint8_t, 256>& table) {
-  Image<std::uint8_t> out(gray.size());
+void copy_gray(GrayView gray, bool negate, Image<std::uint8_t>& out) {
+  const std::uint8_t flip = negate ? 255 : 0;
+  const auto width = static_cast<std::size_t>(gray.width);
+  if (out.size() != gray.size()) out = Image<std::uint8_t>::for_overwrite(gray.size());
   for (std::int32_t y = 0; y < gray.height; ++y) {
     const std::uint8_t* const from = gray.row(y);
     std::uint8_t* const to = out.view().row(y);
-    for (std::int32_t x = 0; x < gray.width; ++x) to[x] = table[from[x]];
+    for (std::size_t x = 0; x < width; ++x) to[x] = from[x] ^ flip;
   }
-  return out;
 }
 
-std::array<std::uint8_t, 256> stretch_table(int black, int white) {
-  std::array<std::uint8_t, 256> table{};
-  const int span = std::max(white - black, 1);
-  for (int v = 0; v < 256; ++v) {
-    table[static_cast<std::size_t>(v)] =
-        static_cast<std::uint8_t>(std::clamp((2 * 255 * (v - black) + span) / (2 * span), 0, 255));
-  }
-  return table;
-}
-
-std::array<std::uint8_t, 256> inversion(bool negate) {
-  std::array<std::uint8_t, 256> table{};
-  for (int v = 0; v < 256; ++v)
-    table[static_cast<std::size_t>(v)] = static_cast<std::uint8_t>(negate ? 255 - v : v);
-  return table;
+void stretch(GrayView gray, const GrayStretch& rule, const PictureRowKernels& kernels,
+             Image<std::uint8_t>& out) {
+  if (out.size() != gray.size()) out = Image<std::uint8_t>::for_overwrite(gray.size());
+  for (std::int32_t y = 0; y < gray.height; ++y)
+    kernels.stretch(gray.row(y), gray.width, rule, out.view().row(y));
 }
 
 /// Whether gray, where it is neither black nor white, changes from pixel to pixel nearly everywhere.
-bool is_grainy(GrayView gray) {
-  std::int64_t pairs = 0, same = 0;
-  for (std::int32_t y = 0; y < gray.height; ++y) {
-    const std::uint8_t* row = gray.row(y);
-    std::int32_t row_pairs = 0, row_same = 0;
-    for (std::int32_t x = 1; x < gray.width; ++x) {
-      const int between = (row[x] != 0 ? 1 : 0) & (row[x] != 255 ? 1 : 0);
-      row_pairs += between;
-      row_same += between & (row[x] == row[x - 1] ? 1 : 0);
-    }
-    pairs += row_pairs;
-    same += row_same;
-  }
-  return same * 3 < pairs && pairs * 10 > std::int64_t{gray.width} * gray.height;
-}
-
-/// For pixels 1 to width - 2 of a row: 1 where all eight neighbours are lighter by more than the contrast.
-void find_lone(GrayView gray, std::int32_t y, std::vector<std::uint8_t>& lone) {
-  const std::uint8_t* const above = gray.row(y - 1);
-  const std::uint8_t* const here = gray.row(y);
-  const std::uint8_t* const below = gray.row(y + 1);
-  for (std::int32_t x = 1; x + 1 < gray.width; ++x) {
-    const auto darker = [](std::uint8_t a, std::uint8_t b) { return a < b ? a : b; };
-    const std::uint8_t top = darker(darker(above[x - 1], above[x]), above[x + 1]);
-    const std::uint8_t bottom = darker(darker(below[x - 1], below[x]), below[x + 1]);
-    const std::uint8_t beside = darker(here[x - 1], here[x + 1]);
-    const int darkest = darker(darker(top, bottom), beside);
-    lone[static_cast<std::size_t>(x)] = darkest > here[x] + lone_contrast ? 1 : 0;
-  }
+bool is_grainy(GrayView gray, const PictureRowKernels& kernels) {
+  GrainCount count;
+  for (std::int32_t y = 0; y < gray.height; ++y) kernels.count_grain(gray.row(y), gray.width, count);
+  return count.same * 3 < count.pairs && count.pairs * 10 > std::int64_t{gray.width} * gray.height;
 }
 
 /// Whether lone dark pixels lie all over the picture, as a scanner's or a radio's specks do; clutter in a
 /// building lies in heaps.
-bool is_speckled(GrayView gray) {
+bool is_speckled(GrayView gray, const PictureRowKernels& kernels) {
   constexpr std::int32_t cells = 8;
   std::array<int, cells * cells> specks{};
   std::vector<std::uint8_t> lone(static_cast<std::size_t>(gray.width));
   for (std::int32_t y = 1; y + 1 < gray.height; ++y) {
-    find_lone(gray, y, lone);
+    if (!kernels.find_lone(gray.row(y - 1), gray.row(y), gray.row(y + 1), gray.width, lone_contrast, lone.data()))
+      continue;
     for (auto at = std::find(lone.begin(), lone.end(), 1); at != lone.end();
          at = std::find(at + 1, lone.end(), 1)) {
       const auto x = static_cast<std::int32_t>(at - lone.begin());
@@ -216,9 +182,10 @@ bool is_soft(const Histogram& histogram, int black, int ground) {
 
 }  // namespace
 
-Picture understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning) {
-  Picture picture;
-  picture.gray = through_table(gray, inversion(meaning && meaning->negate));
+void understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning,
+                        const PictureRowKernels& kernels, Picture& picture) {
+  picture.facts() = PictureFacts{};
+  copy_gray(gray, meaning && meaning->negate, picture.gray);
   const std::int64_t pixels = std::int64_t{gray.width} * gray.height;
   const Histogram histogram = histogram_of(picture.gray);
   int first_ground = darkest_ground;
@@ -227,23 +194,29 @@ Picture understand_picture(GrayView gray, PictureKind asked, const std::optional
     picture.free_above = 255.0 * (1 - meaning->free_thresh);
     first_ground = std::clamp(static_cast<int>(picture.wall_below) + 1, 1, 255);
   }
-  const Histogram blocks = block_histogram(picture.gray);
+  const Histogram blocks = block_histogram(picture.gray, kernels);
   const std::vector<int> grounds = ground_levels(blocks, first_ground, pixels);
   const bool map = asked == PictureKind::map || meaning.has_value() ||
                    (asked == PictureKind::automatic && looks_like_map(histogram, blocks, grounds, pixels));
   picture.kind = map ? PictureKind::map : PictureKind::photo;
   if (!map) {
     picture.stretched = picture.gray;
-    return picture;
+    return;
   }
   const int ground = grounds.empty() ? 255 : grounds.front();
   picture.ground = ground;
   const int black = std::min(darkest_level(histogram, pixels), ground / 2);
-  picture.stretched = through_table(picture.gray, stretch_table(black, ground));
-  picture.noisy = is_grainy(picture.gray) || is_speckled(picture.gray);
+  stretch(picture.gray, {black, std::max(ground - black, 1)}, kernels, picture.stretched);
+  picture.clipped = mass_between(histogram, 0, black - 1) + mass_between(histogram, ground + 1, 255) > 0;
+  picture.noisy = is_grainy(picture.gray, kernels) || is_speckled(picture.gray, kernels);
   picture.crisp = is_crisp(histogram, black, ground);
   picture.soft = is_soft(histogram, black, ground);
   if (!meaning && grounds.size() > 1) picture.free_above = 0.5 * (grounds.front() + grounds.back());
+}
+
+Picture understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning) {
+  Picture picture;
+  understand_picture(gray, asked, meaning, plain_picture_row_kernels, picture);
   return picture;
 }
 

@@ -4,20 +4,16 @@
 
 #include <cstdint>
 
+#include "map/picture_rows.hpp"
 #include "straightedge/host/image.hpp"
 #include "straightedge/host/line_map_builder.hpp"
 
 namespace straightedge {
 
-/// The picture as the line map sees it.
-///
-/// A map has ground (free floor, unknown space) and walls that are darker than any ground. Everything at
-/// least as light as the darkest ground is made white, the darkest level black: then neither the border
-/// of unknown space nor a laser ray drawn into it is an edge, and walls have the same contrast in every map.
-struct Picture {
+/// What was found out about a picture.
+struct PictureFacts {
   PictureKind kind = PictureKind::photo;  ///< map or photo
-  Image<std::uint8_t> gray;               ///< as given, inverted where the map says `negate`
-  Image<std::uint8_t> stretched;          ///< black = wall, white = ground; a photo as it is
+  bool clipped = false;                   ///< some of it is lighter than the darkest ground, or darker than black
   bool noisy = false;                     ///< grain or specks all over it
   bool crisp = false;                     ///< no gray between wall and ground
   bool soft = false;        ///< many grays between wall and ground: edges are blurred or antialiased
@@ -26,6 +22,22 @@ struct Picture {
   double free_above = -1;   ///< open floor is lighter than this in `gray`
 };
 
+/// The picture as the line map sees it.
+///
+/// A map has ground (free floor, unknown space) and walls that are darker than any ground. Everything at
+/// least as light as the darkest ground is made white, the darkest level black: then neither the border
+/// of unknown space nor a laser ray drawn into it is an edge, and walls have the same contrast in every map.
+struct Picture : PictureFacts {
+  Image<std::uint8_t> gray;       ///< as given, inverted where the map says `negate`
+  Image<std::uint8_t> stretched;  ///< black = wall, white = ground; a photo as it is
+
+  PictureFacts& facts() { return *this; }
+};
+
 Picture understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning);
+
+/// The same in the images of `picture`, if they have the right size.
+void understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning,
+                        const PictureRowKernels& kernels, Picture& picture);
 
 }  // namespace straightedge

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 
 namespace straightedge {
 namespace {
@@ -15,11 +16,6 @@ constexpr double claim_corridor = 2.2;
 constexpr double claim_angle = 0.7;
 constexpr double claim_margin = 1.5;
 
-struct Candidate {
-  std::size_t index;
-  RefinedSegment segment;
-};
-
 bool carries(const RefinedSegment& segment, double min_length) {
   return segment.pixels > 2 && segment.length() >= min_length &&
          segment.pixels >= min_density * segment.length();
@@ -30,25 +26,18 @@ bool carries(const RefinedSegment& segment, double min_length) {
 std::vector<WallLine> select_edges(std::span<const HoughSegment> rough, const GradientField& field,
                                    const RefitOptions& options, double min_length,
                                    ImageView<std::uint8_t> mask) {
-  std::vector<Candidate> candidates;
-  RefitOptions few_rounds = options;
-  few_rounds.rounds = std::min(options.rounds, 2);
-  for (std::size_t i = 0; i < rough.size(); ++i) {  // Step 1
-    RefinedSegment segment;
-    if (refit_segment(mask, field, rough[i], few_rounds, segment) != Status::ok) continue;
-    if (carries(segment, min_length)) candidates.push_back({i, segment});
-  }
-  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return a.segment.pixels > b.segment.pixels;
-  });
+  // Step 1.
+  std::vector<std::size_t> order(rough.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return rough[a].pixels > rough[b].pixels; });
   std::vector<WallLine> edges;
-  for (const Candidate& candidate : candidates) {  // Step 2
-    const std::int32_t votes = rough[candidate.index].votes;
-    RefinedSegment segment = candidate.segment;
-    if (refit_again(mask, field, options, segment) != Status::ok) continue;
+  for (const std::size_t i : order) {  // Step 2
+    RefinedSegment segment;
+    if (refit_segment(mask, field, rough[i], options, segment) != Status::ok) continue;
     if (!carries(segment, min_length)) continue;
     claim_pixels(mask, field, segment, claim_corridor, claim_angle, claim_margin);
-    edges.push_back(wall_line_from(segment, static_cast<std::uint32_t>(std::max(votes, 0))));
+    edges.push_back(wall_line_from(segment, static_cast<std::uint32_t>(std::max(rough[i].votes, 0))));
   }
   return edges;
 }

@@ -13,9 +13,9 @@ namespace straightedge {
 
 /// From rough segments, many of them of one and the same edge, to straight edges that share no pixel.
 ///
-/// 1. Refit every rough segment on all edge pixels.
-/// 2. The one with most pixels first: refit it on the pixels that are still free. If enough are left to
-///    carry it, it is an edge, and its pixels are taken.
+/// 1. The rough segments with most pixels come first.
+/// 2. Refit one after the other on the pixels that are still free. If enough are left to carry it, it is an
+///    edge, and its pixels are taken.
 /// So a duplicate finds nothing to stand on. `mask` keeps the pixels that nobody took.
 std::vector<WallLine> select_edges(std::span<const HoughSegment> rough, const GradientField& field,
                                    const RefitOptions& options, double min_length,

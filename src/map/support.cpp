@@ -70,8 +70,11 @@ int dark_from(const std::vector<WallLine>& lines, const Picture& picture, double
 /// Step 2, for those pixels alone that somebody asks for.
 class SolidAreas {
  public:
-  SolidAreas(GrayView stretched, int from, double min_piece)
-      : gray_(stretched), from_(from), min_piece_(min_piece), known_(stretched.size(), unknown) {}
+  SolidAreas(GrayView stretched, int from, double min_piece, Image<std::uint8_t>& marks)
+      : gray_(stretched), from_(from), min_piece_(min_piece) {
+    clear(marks, stretched.size());
+    known_ = marks.view();
+  }
 
   /// Whether the pixel lies in the picture, on a dark area that is no crumb.
   bool contain(std::int32_t x, std::int32_t y) {
@@ -127,7 +130,7 @@ class SolidAreas {
   GrayView gray_;
   int from_;
   double min_piece_;
-  Image<std::uint8_t> known_;
+  ImageView<std::uint8_t> known_;
   std::vector<Pixel> area_;
 };
 
@@ -171,10 +174,10 @@ bool is_chance(const WallLine& line) {
 }  // namespace
 
 std::vector<WallLine> keep_supported(const std::vector<WallLine>& lines, const Picture& picture,
-                                     const SupportOptions& options) {
+                                     const SupportOptions& options, Image<std::uint8_t>& marks) {
   std::vector<WallLine> out;
   const int from = dark_from(lines, picture, picture.noisy ? noisy_dark_share : dark_share);
-  SolidAreas solid(picture.stretched, from, picture.noisy ? noisy_min_piece : options.min_piece);
+  SolidAreas solid(picture.stretched, from, picture.noisy ? noisy_min_piece : options.min_piece, marks);
   for (const WallLine& line : lines) {
     const std::vector<Run> runs = runs_of(solid, line);
     for (std::size_t i = 0; i < runs.size();) {

@@ -25,7 +25,8 @@ struct SupportOptions {
 ///    segment; ends that lie near the old ones stay where they were measured.
 /// 4. In a noisy picture, short segments with few edge pixels are chance.
 /// Segments of which too little is supported are left out.
+/// `marks` is memory that may be kept from one picture to the next.
 std::vector<WallLine> keep_supported(const std::vector<WallLine>& lines, const Picture& picture,
-                                     const SupportOptions& options);
+                                     const SupportOptions& options, Image<std::uint8_t>& marks);
 
 }  // namespace straightedge

@@ -99,14 +99,15 @@ TEST_CASE("faces of small things that stand alone are furniture") {
   const WallLine wall = stage::face({80, 19.5}, {179, 19.5});
   const WallLine short_piece_of_wall = stage::face({80, 19.5}, {95, 19.5});
   const WallLine dash = stage::axis({20, 69.5}, {35, 69.5});
+  Image<std::uint8_t> marks;
   std::vector<WallLine> lines{box, wall, short_piece_of_wall, dash};
-  CHECK(drop_furniture(lines, canvas.picture(), 26, 3.6) == 1);
+  CHECK(drop_furniture(lines, canvas.picture(), 26, 3.6, marks) == 1);
   CHECK(lines.size() == 3);
   for (const WallLine& line : lines) CHECK((line.axis || line.x_at(line.begin) > 70));
   lines = {box};
-  CHECK(drop_furniture(lines, canvas.picture(), 10, 3.6) == 0);
+  CHECK(drop_furniture(lines, canvas.picture(), 10, 3.6, marks) == 0);
   lines = {};
-  CHECK(drop_furniture(lines, canvas.picture(), 26, 3.6) == 0);
+  CHECK(drop_furniture(lines, canvas.picture(), 26, 3.6, marks) == 0);
 }
 
 TEST_CASE("a line that takes other moments keeps its ends where they are, moved onto it") {

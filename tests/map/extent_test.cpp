@@ -27,7 +27,8 @@ std::vector<WallLine> extents(const support::Canvas& canvas, const std::vector<W
 }
 
 std::vector<WallLine> supported(const support::Canvas& canvas, const std::vector<WallLine>& lines) {
-  return keep_supported(lines, understand_picture(canvas.picture(), PictureKind::map, {}), {});
+  Image<std::uint8_t> marks;
+  return keep_supported(lines, understand_picture(canvas.picture(), PictureKind::map, {}), {}, marks);
 }
 
 /// The axis along v = 50 between two columns of the image plane.

@@ -70,9 +70,10 @@ TEST_CASE("the four edges of a box are found by every method, each once") {
     const Image<std::uint8_t> before = scene.mask;
     LineMapOptions options;
     options.hough.method = method;
+    EdgeRoom room;
     std::vector<WallLine> lines;
     LineMapReport report;
-    REQUIRE(find_edges(scene.mask, scene.field(), options, best_kernels(), lines, report) == Status::ok);
+    REQUIRE(find_edges(scene.mask, scene.field(), options, best_kernels(), room, lines, report) == Status::ok);
     CHECK(scene.mask == before);
     CHECK(lines.size() == 4);
     CHECK(report.edges == lines.size());
@@ -92,8 +93,9 @@ TEST_CASE("bad options of the Hough transform come back as its status") {
   const support::EdgeScene scene = box();
   LineMapOptions options;
   options.hough.threshold = 0;
+  EdgeRoom room;
   std::vector<WallLine> lines;
   LineMapReport report;
-  CHECK(find_edges(scene.mask, scene.field(), options, best_kernels(), lines, report) ==
+  CHECK(find_edges(scene.mask, scene.field(), options, best_kernels(), room, lines, report) ==
         Status::invalid_option);
 }

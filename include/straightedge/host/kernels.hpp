@@ -24,6 +24,14 @@ extern const PlaneRowKernels avx2_plane_row_kernels;
 extern const PlaneRowKernels avx512_plane_row_kernels;
 #endif
 
+/// Understanding of a picture, step 1 of build_line_map.
+struct PictureRowKernels;
+extern const PictureRowKernels plain_picture_row_kernels;
+#if defined(__x86_64__)
+extern const PictureRowKernels avx2_picture_row_kernels;
+extern const PictureRowKernels avx512_picture_row_kernels;
+#endif
+
 /// The tables made for one instruction set.
 struct KernelSet {
   std::string_view name;  ///< "plain", "sse2", "avx2" or "avx512"
@@ -34,6 +42,7 @@ struct KernelSet {
   const PlaneSearchKernels* plane_search = &plain_plane_search_kernels;
   const HoughPatchKernels* hough_patches = &plain_hough_patch_kernels;
   const PlaneRowKernels* plane_rows = &plain_plane_row_kernels;
+  const PictureRowKernels* picture_rows = &plain_picture_row_kernels;
 };
 
 /// Those that the processor has the instructions for: plain first, the fastest last.

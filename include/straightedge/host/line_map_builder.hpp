@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -85,5 +86,23 @@ struct LineMapResult {
 /// pixel. Nothing depends on the kernels but the time.
 Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options = {},
                                      const KernelSet& kernels = best_kernels());
+
+/// The same for one picture after the other. Memory is kept: for pictures of one size that saves a good part
+/// of the time.
+class LineMapBuilder {
+ public:
+  explicit LineMapBuilder(const LineMapOptions& options = {}, const KernelSet& kernels = best_kernels());
+  ~LineMapBuilder();
+  LineMapBuilder(LineMapBuilder&&) noexcept;
+  LineMapBuilder& operator=(LineMapBuilder&&) noexcept;
+
+  Result<LineMapResult> build(GrayView gray);
+
+ private:
+  struct Room;
+  LineMapOptions options_;
+  KernelSet kernels_;
+  std::unique_ptr<Room> room_;
+};
 
 }  // namespace straightedge

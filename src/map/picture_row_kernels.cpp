@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include <cstdint>
+
+#include "base/kernel_set.hpp"
+#include "map/picture_rows.hpp"
+
+namespace straightedge {
+namespace STRAIGHTEDGE_KERNEL_SET {
+namespace {
+
+constexpr std::int32_t side = 4;
+constexpr std::int32_t area = side * side;
+constexpr std::int32_t lanes = 64;  // bytes that are looked at together
+
+/// Rounded: (2 · 255 · (v − black) + span) / (2 · span). The half more than the integer keeps the quotient off
+/// the integers by far more than float rounds.
+void stretch(const std::uint8_t* __restrict row, std::int32_t width, GrayStretch rule,
+             std::uint8_t* __restrict out) noexcept {
+  const std::int32_t black = rule.black, span = rule.span;
+  const float inverse = 1.0F / static_cast<float>(2 * span);
+  for (std::int32_t x = 0; x < width; ++x) {
+    std::int32_t above = row[x] - black;
+    above = above < 0 ? 0 : above;
+    above = above > span ? span : above;
+    const float twice = static_cast<float>(510 * above + span) + 0.5F;
+    out[x] = static_cast<std::uint8_t>(static_cast<std::int32_t>(twice * inverse));
+  }
+}
+
+void count_grain(const std::uint8_t* row, std::int32_t width, GrainCount& count) noexcept {
+  constexpr std::int32_t most = 255;  // rounds that a byte can count
+  std::int32_t x = 1;
+  while (x + lanes <= width) {
+    std::uint8_t pairs[lanes] = {}, same[lanes] = {};
+    for (std::int32_t round = 0; round < most && x + lanes <= width; ++round, x += lanes) {
+      const std::uint8_t* __restrict here = row + x;
+      const std::uint8_t* __restrict left = row + x - 1;
+      for (std::int32_t i = 0; i < lanes; ++i) {
+        const std::uint8_t between = static_cast<std::uint8_t>((here[i] != 0 ? 1 : 0) & (here[i] != 255 ? 1 : 0));
+        const std::uint8_t equal = here[i] == left[i] ? 1 : 0;
+        pairs[i] = static_cast<std::uint8_t>(pairs[i] + between);
+        same[i] = static_cast<std::uint8_t>(same[i] + (between & equal));
+      }
+    }
+    for (std::int32_t i = 0; i < lanes; ++i) {
+      count.pairs += pairs[i];
+      count.same += same[i];
+    }
+  }
+  for (; x < width; ++x) {
+    const std::int32_t between = (row[x] != 0 ? 1 : 0) & (row[x] != 255 ? 1 : 0);
+    count.pairs += between;
+    count.same += between & (row[x] == row[x - 1] ? 1 : 0);
+  }
+}
+
+inline std::uint8_t darker(std::uint8_t a, std::uint8_t b) noexcept {
+  return a < b ? a : b;
+}
+
+bool find_lone(const std::uint8_t* __restrict above, const std::uint8_t* __restrict here,
+               const std::uint8_t* __restrict below, std::int32_t width, std::int32_t contrast,
+               std::uint8_t* __restrict lone) noexcept {
+  const auto least = static_cast<std::uint8_t>(contrast);
+  std::uint8_t any = 0;
+  for (std::int32_t x = 1; x + 1 < width; ++x) {
+    const std::uint8_t top = darker(darker(above[x - 1], above[x]), above[x + 1]);
+    const std::uint8_t bottom = darker(darker(below[x - 1], below[x]), below[x + 1]);
+    const std::uint8_t beside = darker(here[x - 1], here[x + 1]);
+    const std::uint8_t darkest = darker(darker(top, bottom), beside);
+    const std::uint8_t lighter = static_cast<std::uint8_t>(darkest > here[x] ? darkest - here[x] : 0);
+    const std::uint8_t is_lone = lighter > least ? 1 : 0;
+    lone[x] = is_lone;
+    any = static_cast<std::uint8_t>(any | is_lone);
+  }
+  return any != 0;
+}
+
+/// One place of each block.
+struct Lane {
+  std::uint8_t of[lanes];
+};
+
+inline void put_in_order(Lane& low, Lane& high) noexcept {
+  for (std::int32_t i = 0; i < lanes; ++i) {
+    const std::uint8_t a = low.of[i], b = high.of[i];
+    low.of[i] = a < b ? a : b;
+    high.of[i] = a < b ? b : a;
+  }
+}
+
+/// Batcher's network: it compares the same places whatever is there, so that many blocks go through it
+/// together. K. E. Batcher, "Sorting networks and their applications", 1968, doi:10.1145/1468075.1468121.
+inline void sort_places(Lane* places) noexcept {
+  for (std::int32_t p = 1; p < area; p *= 2) {
+    for (std::int32_t k = p; k >= 1; k /= 2) {
+      for (std::int32_t j = k % p; j + k < area; j += 2 * k) {
+        for (std::int32_t i = 0; i < k && i + j + k < area; ++i) {
+          if ((i + j) / (2 * p) == (i + j + k) / (2 * p)) put_in_order(places[i + j], places[i + j + k]);
+        }
+      }
+    }
+  }
+}
+
+void block_medians(const std::uint8_t* const* rows, std::int32_t count, std::uint8_t* medians) noexcept {
+  for (std::int32_t first = 0; first < count; first += lanes) {
+    const std::int32_t some = count - first < lanes ? count - first : lanes;
+    Lane places[area];
+    for (std::int32_t r = 0; r < side; ++r) {
+      const std::uint8_t* const row = rows[r] + side * first;
+      Lane* const here = places + side * r;
+      for (std::int32_t i = 0; i < some; ++i) {
+        here[0].of[i] = row[side * i];
+        here[1].of[i] = row[side * i + 1];
+        here[2].of[i] = row[side * i + 2];
+        here[3].of[i] = row[side * i + 3];
+      }
+      for (std::int32_t i = some; i < lanes; ++i)
+        for (std::int32_t c = 0; c < side; ++c) here[c].of[i] = 0;
+    }
+    sort_places(places);
+    for (std::int32_t i = 0; i < some; ++i) medians[first + i] = places[area / 2].of[i];
+  }
+}
+
+}  // namespace
+}  // namespace STRAIGHTEDGE_KERNEL_SET
+
+constinit const PictureRowKernels STRAIGHTEDGE_OF_SET(_picture_row_kernels){
+    .stretch = &STRAIGHTEDGE_KERNEL_SET::stretch,
+    .count_grain = &STRAIGHTEDGE_KERNEL_SET::count_grain,
+    .find_lone = &STRAIGHTEDGE_KERNEL_SET::find_lone,
+    .block_medians = &STRAIGHTEDGE_KERNEL_SET::block_medians,
+};
+
+}  // namespace straightedge
