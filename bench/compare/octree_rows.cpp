@@ -21,14 +21,14 @@ constexpr std::uint32_t asked_positions = 20'000;
 /// So many of them are also compared with every point there is.
 constexpr std::size_t by_brute_force = 200;
 
-/// Our octree, with memory for the leaves that the cloud has.
+/// Our octree, with memory for a quarter more leaves than the cloud has: what is over holds their boxes.
 class OurOctree {
  public:
   explicit OurOctree(const Points& cloud) : cloud_(cloud) {
     const auto count = static_cast<std::uint32_t>(cloud.size());
     prepare(count, {.grid = {.leaf_m = leaf_m}});
     build();
-    prepare(count, {.grid = {.leaf_m = leaf_m}, .max_leaves = octree_.nodes().leaves()});
+    prepare(count, {.grid = {.leaf_m = leaf_m}, .max_leaves = octree_.nodes().leaves() * 5 / 4});
     build();
   }
   void build() {

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "straightedge/arena.hpp"
+#include "straightedge/detail/octree_leaf_groups.hpp"
 #include "straightedge/octree_grid.hpp"
 #include "straightedge/octree_nodes.hpp"
 #include "straightedge/octree_point.hpp"
@@ -18,20 +19,19 @@
 /// A linear octree of points: nearest points, points in a ball or a box, leaves along a ray.
 ///
 /// Building
-///   1. Read: each point's cell and Morton code (octree_grid.hpp, morton.hpp). Points outside the cube or
-///   with a
-///      coordinate that is not finite are counted and left out.
-///   2. Sort by code: least significant digit first (radix sort), which keeps the order of points of one
-///   cell. Digits
-///      in which all codes agree are passed over.
+///   1. Read: each point's cell and Morton code (octree_grid.hpp, morton.hpp). What is outside the cube or
+///      not finite is counted and left out.
+///   2. Sort by code: least significant digit first (radix sort), which keeps the order within a cell.
+///      Digits in which all codes agree are passed over.
 ///   3. Copy the points in that order, with their indices, so that a leaf's points lie side by side.
 ///   4. Merge them with the points that are there already (insert alone).
 ///   5. List the leaves and link the nodes above them (octree_nodes.hpp).
+///   6. In memory of nodes that is left: boxes of the leaves' points (detail/octree_leaf_groups.hpp).
 ///
-/// Asking
-///   nearest, k_nearest   Down into the nearest child first; a node farther than the best (k-th) so far is
-///   passed over. radius, box          Through the array of nodes; past those that do not touch the ball or
-///   box. ray, first_hit       octree_ray.hpp
+/// Asking (rays: octree_ray.hpp)
+///   nearest, k_nearest   Leaves around the position by step 6; if they do not settle it, down the tree into
+///                        the nearest child first. What is farther than the best so far is passed over.
+///   radius, box          Through the array of nodes; past those that do not touch the ball or box.
 ///
 /// Exact: no query misses a point by rounding. Squared distances are (dx² + dy²) + dz² in doubles; of
 /// points at the same distance the one with the lower index counts as nearer. Indices count the points
@@ -40,12 +40,12 @@
 /// Time: build linear in points (two to six passes); insert as much for the new points, plus a pass over all
 /// there are: many points a call, not one. Nearest about the height of the tree plus the points of a few
 /// leaves. Memory: 16 bytes a point and 32 a leaf, all in the workspace; sorting takes place in the memory of
-/// the result. Queries take at most 3 KB of stack, since a node leaves at most seven others behind a level.
+/// the result. Queries take at most 4 KB of stack, since a node leaves at most seven others behind a level.
 namespace straightedge {
 
 struct OctreeOptions {
   OctreeGrid grid = {};
-  std::uint32_t max_leaves = 0;  ///< leaves that there is memory for; 0 = as many as points
+  std::uint32_t max_leaves = 0;  ///< there is memory for; 0 = as many as points. A quarter to spare: step 6
 };
 
 /// What build and insert say; a status other than `ok` tells why nothing was added.
@@ -142,6 +142,7 @@ class Octree {
   std::uint32_t capacity_ = 0;
   Memory memory_;
   OctreeNodes nodes_;
+  detail::OctreeLeafGroups groups_;
   std::uint32_t size_ = 0;
   std::uint32_t given_ = 0;  ///< points of all calls since build, those left out too
 };

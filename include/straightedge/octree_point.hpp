@@ -29,7 +29,7 @@ constexpr std::size_t octree_full_blocks(std::size_t points) noexcept {
 
 /// Places behind those of the points: the blocks of what is inserted begin anew, and points are written by
 /// blocks.
-inline constexpr std::size_t octree_spare_points = 8;
+inline constexpr std::size_t octree_spare_points = 12;
 
 /// A point with its index in the order in which points were given.
 struct OctreePoint {

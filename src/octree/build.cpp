@@ -48,6 +48,7 @@ Status Octree::prepare(Octree& octree, std::uint32_t capacity, const OctreeOptio
 
 void Octree::clear() noexcept {
   nodes_ = OctreeNodes();
+  groups_ = detail::OctreeLeafGroups();
   size_ = 0;
   given_ = 0;
 }
@@ -104,6 +105,11 @@ OctreeBuildResult Octree::add(const PointsView& points) noexcept {
   fill_block(memory_.points, size_);
   given_ += static_cast<std::uint32_t>(points.count);
   nodes_ = OctreeNodes::link(memory_.nodes, result.leaves, size_);
+
+  // Step 6
+  const std::span<OctreeNode> left = memory_.nodes.subspan(nodes_.size() + 1);
+  groups_.build(nodes_, options_.grid, memory_.points,
+                {reinterpret_cast<std::uint32_t*>(left.data()), left.size_bytes() / sizeof(std::uint32_t)});
   result.status = Status::ok;
   result.points = runs.points;
   result.left_out = static_cast<std::uint32_t>(points.count) - runs.points;

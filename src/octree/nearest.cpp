@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include "octree/near_groups.hpp"
 #include "octree/near_points.hpp"
 #include "octree/node_distance.hpp"
 #include "straightedge/octree.hpp"
@@ -64,6 +65,22 @@ void for_near_leaves(const OctreeNodes& nodes, const octree::NodeDistance& dista
   }
 }
 
+/// Around the position first; only when what is found there might not be the nearest, down the tree:
+/// restart() forgets what was found and returns the limit.
+template <class Look, class Restart>
+void for_near_leaves(const detail::OctreeLeafGroups& groups, double leaf_m, const OctreeNodes& nodes,
+                     const octree::NodeDistance& distance, double limit, Look look,
+                     Restart restart) noexcept {
+  MortonCell cell;
+  if (groups.groups > 0 && distance.around(detail::OctreeLeafGroups::level, cell)) {
+    limit = octree::look_around(groups, cell, distance, octree::GroupDistance::square_units_a_m(leaf_m),
+                                limit, look);
+    if (limit < distance.squared_reach(detail::OctreeLeafGroups::level)) return;
+    limit = restart();
+  }
+  for_near_leaves(nodes, distance, limit, look);
+}
+
 /// The k nearest so far as a heap: the farthest of them is the first.
 class Nearest {
  public:
@@ -124,10 +141,13 @@ OctreeFound Octree::nearest(const Vector3& position, OctreeNeighbour& out,
   const octree::NodeDistance distance(options_.grid, position);
   octree::FarFilter filter(position);
   filter.set_limit(best.squared_distance);
-  for_near_leaves(nodes_, distance, best.squared_distance, [&](std::uint32_t place, std::uint32_t end) {
-    octree::find_nearest(memory_.points, place, end, position, filter, best);
-    return best.squared_distance;
-  });
+  for_near_leaves(
+      groups_, options_.grid.leaf_m, nodes_, distance, best.squared_distance,
+      [&](std::uint32_t place, std::uint32_t end) {
+        octree::find_nearest(memory_.points, place, end, position, filter, best);
+        return best.squared_distance;
+      },
+      [&] { return best.squared_distance; });
   if (best.index == UINT32_MAX) return found;
   out = best;
   found.found = found.written = 1;
@@ -141,14 +161,20 @@ OctreeFound Octree::k_nearest(const Vector3& position, std::span<OctreeNeighbour
   double limit = max_distance_m * max_distance_m;
   Nearest nearest(out);
   const octree::NodeDistance distance(options_.grid, position);
-  for_near_leaves(nodes_, distance, limit, [&](std::uint32_t place, std::uint32_t end) {
-    octree::for_near_points(memory_.points, place, end, position, limit,
-                            [&](const OctreeNeighbour& neighbour) {
-                              nearest.offer(neighbour);
-                              if (nearest.full()) limit = nearest.farthest().squared_distance;
-                            });
-    return limit;
-  });
+  for_near_leaves(
+      groups_, options_.grid.leaf_m, nodes_, distance, limit,
+      [&](std::uint32_t place, std::uint32_t end) {
+        octree::for_near_points(memory_.points, place, end, position, limit,
+                                [&](const OctreeNeighbour& neighbour) {
+                                  nearest.offer(neighbour);
+                                  if (nearest.full()) limit = nearest.farthest().squared_distance;
+                                });
+        return limit;
+      },
+      [&] {
+        nearest = Nearest(out);
+        return limit = max_distance_m * max_distance_m;
+      });
   nearest.sort();
   found.found = found.written = static_cast<std::uint32_t>(nearest.size());
   return found;

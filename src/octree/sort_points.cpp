@@ -150,7 +150,7 @@ SortedRuns sort_runs(const PointsView& view, const OctreeGrid& grid, std::uint32
   const std::size_t pair_words = 2 * std::size_t{runs.count};
   const Pairs front(memory.first(pair_words));
   const Pairs back(
-      memory.first(octree_point_words * (runs.points + octree_block_points - 1)).last(pair_words));
+      memory.first(octree_point_words * (runs.points + 2 * octree_block_points - 1)).last(pair_words));
   Pairs pairs = front;
   for (unsigned shift = 0; shift == 0 || runs.varying >> shift != 0; shift += SortedRuns::code_bits) {
     if (shift > 0) read_part(view, grid, shift, pairs);

@@ -72,7 +72,7 @@ void copy_points(const SortedRuns& runs, const PointsView& view, const OctreeGri
   std::uint64_t last = morton_codes;
   for (std::size_t i = 0; i < runs.pairs.size(); ++i) {
     const Pairs::Pair run = runs.pairs[i];
-    constexpr std::size_t ahead = 24;
+    constexpr std::size_t ahead = 48;
     if (i + ahead < runs.pairs.size()) writer.prefetch(runs.pairs[i + ahead].index);
     const std::uint64_t code = runs.code(run, view, grid);
     if (code != last) leaf(code, writer.place());
