@@ -152,7 +152,8 @@ SortedRuns sort_runs(const PointsView& view, const OctreeGrid& grid, std::uint32
   const Pairs back(
       memory.first(octree_point_words * (runs.points + 2 * octree_block_points - 1)).last(pair_words));
   Pairs pairs = front;
-  for (unsigned shift = 0; shift == 0 || runs.varying >> shift != 0; shift += SortedRuns::code_bits) {
+  for (unsigned shift = 0; shift == 0 || (shift < 64 && runs.varying >> shift != 0);
+       shift += SortedRuns::code_bits) {
     if (shift > 0) read_part(view, grid, shift, pairs);
     const auto varying = static_cast<std::uint32_t>(runs.varying >> shift) & part_mask;
     pairs = radix_sort(pairs, pairs.same_memory(front) ? back : front, varying, counts);

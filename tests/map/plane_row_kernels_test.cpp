@@ -79,7 +79,8 @@ Outcome outcome_of(const Row& row, const PlaneRowKernels& kernels) {
 bool same(const Outcome& a, const Outcome& b) {
   return a.largest == b.largest && a.out.off_plane == b.out.off_plane &&
          a.out.out_of_range == b.out.out_of_range && a.runs.size() == b.runs.size() &&
-         std::memcmp(a.runs.data(), b.runs.data(), a.runs.size() * sizeof(detail::PlaneRun)) == 0;
+         (a.runs.empty() ||
+          std::memcmp(a.runs.data(), b.runs.data(), a.runs.size() * sizeof(detail::PlaneRun)) == 0);
 }
 
 }  // namespace
