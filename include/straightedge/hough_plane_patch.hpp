@@ -48,8 +48,7 @@ struct HoughPatch {
   std::uint16_t candidate = 0;          ///< the candidate that took it, counted from 1 as found; 0: none
   bool votes = false;                   ///< knows its normal well enough, and no search from it was in vain
 
-  /// Of its readings; in the memory of the search, or in cells that it shares.
-  const InverseDepthMoments* moments = nullptr;
+  const InverseDepthMoments* moments = nullptr;  ///< of its readings; in the memory of the search
   InverseDepthPlane plane;
   double mean_u = 0, mean_v = 0;             ///< pixels
   double mean_q = 0;                         ///< 1/metre

@@ -52,12 +52,11 @@ struct HoughPatchMemory {
 /// knows how well it knows its plane.
 ///
 ///   1. Sums of 1/z, u, v and their products over squares of 8 pixels, in one pass; four squares add up to
-///   one of
-///      16, these to 32 and 64 pixels.
+///      one of 16, these to 32 and 64 pixels.
 ///   2. Patches: from the largest square down, a square whose readings lie on a plane 1/z = a u + b v + c
-///   within
-///      their noise is a patch; one that does not is cut into four. The residual must not exceed the noise,
-///      nor may the mean residuals of its parts, which a crease or a curve moves together.
+///      within their noise is a patch; one that does not is cut into four, down to smallest_patch. The
+///      residual must not exceed the noise, nor may the mean residuals of its parts, which a crease or a
+///      curve moves together.
 ///   3. Votes. Of a patch at point p the normal's covariance follows from that of (a, b). It votes for the
 ///      direction cells around its normal, each weighted by (1 − r²/6)², r the distance in standard
 ///      deviations (enlarged by the cell size); with direction n goes the distance n·p. The weights add up to

@@ -171,8 +171,7 @@ TEST_CASE("patches: sums that others have made do as well as its own") {
     CHECK(has(own, wall.plane, 0.01, 0.01));
     CHECK(has(own, floor_face.plane, 0.01, 0.01));
     CHECK(has(own, box.plane, 0.02, 0.01));
-    std::fill(cells.level(finest).begin(), cells.level(finest).end(), InverseDepthMoments{});
-    cells.sum_up();
+    cells.build(Image<float>(size, 0.0F));
     CHECK(count({}) == (finest < 2 ? 0 : 3));
     const Image<std::uint16_t> free(size, std::uint16_t{0});
     CHECK(count(free.view()) == 3);

@@ -40,34 +40,39 @@ Status check(Size size, const DepthInput& input, const PinholeCamera& camera) no
   return fits ? Status::ok : Status::size_mismatch;
 }
 
-/// Sums of squares of 8 to 32 pixels as somebody else has made them; false: they are not of this picture.
-bool share(const DepthCells* cells, Size size, const DepthInput& input, hough::PatchLevels& levels) noexcept {
+/// The sums of a cell, whether cells keep them or what they follow from.
+template <class Cells>
+InverseDepthMoments moments_of(const Cells& cells, int level, std::size_t place) noexcept {
+  if constexpr (requires { cells.moments(level, place); }) {
+    return cells.moments(level, place);
+  } else {
+    return cells.level(level)[place];
+  }
+}
+
+/// Step 1 by what somebody else has summed up. False: not of this picture, or not of squares of 8 pixels.
+bool take_sums(const DepthCells* cells, const DepthInput& input, detail::HoughPatchMemory& memory) noexcept {
   // A square of 8 pixels is a cell of level 1.
   static_assert(DepthCells::side_of(1) == hough_patch_side);
   if (cells == nullptr || input.mask.data != nullptr || cells->finest() > 1) return false;
-  if (cells->size(1) != DepthCells::size_of(size, 1)) return false;
-  for (int level = 1; level < DepthCells::levels; ++level) {
-    levels[static_cast<std::size_t>(level - 1)] = cells->level(level);
-  }
+  if (cells->size(1) != DepthCells::size_of(input.inverse_depth.size(), 1)) return false;
+  std::size_t place = 0;
+  for (InverseDepthMoments& square : memory.levels[0]) square = moments_of(*cells, 1, place++);
   return true;
 }
 
 /// Step 1.
 hough::PatchLevels sum_levels(const DepthInput& input, const HoughPatchOptions& options,
                               const DepthCells* cells, detail::HoughPatchMemory& memory) noexcept {
-  hough::PatchLevels levels{memory.levels[0], memory.levels[1], memory.levels[2], memory.levels[3]};
-  const bool shared = share(cells, input.inverse_depth.size(), input, levels);
-  if (!shared) hough::sum_cells(input, *options.kernels, memory.levels[0]);
+  if (!take_sums(cells, input, memory)) hough::sum_cells(input, *options.kernels, memory.levels[0]);
   std::int32_t side = hough_patch_side;
   for (std::size_t level = 1; 2 * side <= options.largest_patch; ++level) {
     const Size squares{(input.inverse_depth.width + side - 1) / side,
                        (input.inverse_depth.height + side - 1) / side};
-    if (levels[level].data() == memory.levels[level].data()) {
-      hough::sum_four(levels[level - 1], squares, memory.levels[level]);
-    }
+    hough::sum_four(memory.levels[level - 1], squares, memory.levels[level]);
     side *= 2;
   }
-  return levels;
+  return {memory.levels[0], memory.levels[1], memory.levels[2], memory.levels[3]};
 }
 
 std::uint32_t count_readings(std::span<const InverseDepthMoments> squares) noexcept {
