@@ -65,6 +65,9 @@ class DepthCells {
   /// Steps 1 and 2. `inverse_depth` has the size given to `take`.
   void build(ImageView<const float> inverse_depth,
              const DepthKernels& kernels = plain_depth_kernels) noexcept;
+  /// Step 1 alone for row y of the finest cells; step 2 is due when all are done.
+  void build_row(ImageView<const float> inverse_depth, std::int32_t y,
+                 const DepthKernels& kernels = plain_depth_kernels) noexcept;
   /// Step 2 alone, after cells of the finest level were changed.
   void sum_up(const DepthKernels& kernels = plain_depth_kernels) noexcept;
 

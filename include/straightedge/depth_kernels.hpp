@@ -33,7 +33,7 @@ struct DepthCellRows {
 
 /// What sixteen cells may take. Plane k is surface k.
 struct DepthCellTask {
-  static constexpr std::int32_t cells = 16, most_asked = 54;
+  static constexpr std::int32_t cells = 16, most_asked = 30;
   DepthCellRows at;         ///< the first one's; all sixteen must be there to be read
   std::uint32_t open = 0;   ///< bit i: cell i may take a plane, if it has readings enough
   std::uint32_t given = 0;  ///< of these: it takes the one that it asks for

@@ -110,7 +110,8 @@ class FramePlanes {
   }
   Status search_round(const DepthView& depth, const PlaneSearch& search,
                       ImageView<const std::uint16_t> labels, PlanesFound& found) noexcept;
-  void assign_cells(bool all) noexcept;
+  Status read_depth(const DepthView& depth) noexcept;
+  void assign_cells() noexcept;
   std::span<std::uint16_t> small_cell_labels() const noexcept {
     return cell_labels_[static_cast<std::size_t>(cells_.finest())];
   }

@@ -82,6 +82,10 @@ struct PlaneSearchKernels {
   void (*sum_inliers)(const SearchReadings& readings, std::uint32_t padded, const SearchPlane& plane,
                       float most, SearchSums& sums) noexcept;
 
+  /// Every `step`-th of a row of 1/z from `first` on, or `none` where it is no reading: not above 0, or above
+  /// 1e6.
+  void (*take_readings)(const float* first, std::int32_t step, std::int32_t count, float none,
+                        float* q) noexcept;
   /// 1 / gate of readings: 1 over the larger of `least` and `per_square` q². What is beyond 1e6, or whose
   /// gate reaches q, is no reading: q becomes `none`. Where q is `none`, w is 1.
   void (*weigh)(float* q, float* w, std::int32_t padded, float least, float per_square, float none) noexcept;

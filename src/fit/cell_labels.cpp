@@ -80,16 +80,6 @@ struct Group {
   DepthCellTask task;
   std::uint32_t settled = 0;  ///< cells whose label is known
   std::array<std::uint16_t, at_once> label;
-
-  /// The open cells try the planes around them first.
-  void ask(const PlanesAround& around, std::uint32_t open) noexcept {
-    task.asked = 0;
-    for (std::size_t k = 0; k < around.count; ++k) {
-      if ((around.near[k] & open) == 0) continue;
-      task.plane[task.asked] = static_cast<std::uint16_t>(around.label[k] - 1);
-      task.of[task.asked++] = static_cast<std::uint16_t>(around.near[k] & open);
-    }
-  }
 };
 
 /// The labels of one level.
@@ -147,7 +137,7 @@ struct Level {
     const Parents own(labels_of(level + 1).data() + first, count);
     std::uint32_t settled = own.settled, given = 0, newly_settled = 0;
     if (settled != all) {
-      const PlanesAround around(size, labels_of(level + 1), {X, Y, parents_at_once});
+      const PlanesAround around(size, labels_of(level + 1), X, Y);
       const std::uint32_t only = around.some & ~around.several;
       const std::uint32_t sure =
           (only & own.much) | alone(around.several & own.settles & ~settled, first, own, around);
@@ -232,38 +222,6 @@ struct Level {
 };
 
 }  // namespace
-
-void CellLabeller::label_rest(std::span<std::uint16_t> labels) const noexcept {
-  fill_surfaces(planes, cells, surfaces);
-  const int finest = cells.finest();
-  const Size size = cells.size(finest);
-  Group group;
-  Level{*this, surfaces, {}, finest}.begin(group.task);
-  const auto least = static_cast<std::int32_t>(group.task.least);
-  for (std::int32_t y = 0; y < size.height; ++y) {
-    for (std::int32_t x = 0; x < size.width; x += at_once) {
-      const CellRun run{x, y, std::min(at_once, size.width - x)};
-      const std::size_t place =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
-      std::uint16_t* out = labels.data() + place;
-      const std::uint8_t* counts = cells.counts().data() + place;
-      std::uint32_t open = 0;
-      for (std::int32_t i = 0; i < run.count; ++i) {
-        open |= static_cast<std::uint32_t>((out[i] == 0) & (counts[i] > least))
-                << static_cast<std::uint32_t>(i);
-      }
-      if (open == 0) continue;
-      group.task.open = open;
-      group.task.at = cells.rows(finest, place);
-      group.ask(PlanesAround(size, labels, run), open);
-      DepthCellPlanes found;
-      kernels.choose_planes(group.task, surfaces, found);
-      for (std::int32_t i = 0; i < run.count; ++i) {
-        out[i] = static_cast<std::uint16_t>(out[i] | found.label[i]);
-      }
-    }
-  }
-}
 
 void CellLabeller::label(const CellLabels& labels) const noexcept {
   fill_surfaces(planes, cells, surfaces);

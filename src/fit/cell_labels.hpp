@@ -24,8 +24,6 @@ struct CellLabeller {
   const DepthSurfaces& surfaces;
 
   void label(const CellLabels& labels) const noexcept;
-  /// Smallest cells without a label alone: each takes one of those around it, if one fits, else the best.
-  void label_rest(std::span<std::uint16_t> labels) const noexcept;
 };
 
 }  // namespace straightedge::detail

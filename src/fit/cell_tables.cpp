@@ -37,7 +37,9 @@ void count_cells(std::span<const std::uint16_t> labels, std::span<std::uint32_t>
   std::fill(count.begin(), count.end(), 0U);
   for (std::size_t i = 0; i < labels.size();) {
     const std::size_t begin = i;
-    const std::uint16_t label = labels[i];
+    const std::uint16_t label = labels[i++];
+    // As the one before, four at a time.
+    while (i + 4 < labels.size() && same_four(labels.data() + i, labels.data() + i - 1)) i += 4;
     while (i < labels.size() && labels[i] == label) ++i;
     if (label == 0) continue;
     if (count[label - 1U] == 0) first[label - 1U] = static_cast<std::uint32_t>(begin);

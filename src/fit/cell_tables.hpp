@@ -19,6 +19,21 @@ inline std::uint32_t& of_pair(std::span<std::uint32_t> contacts, std::size_t i, 
 void count_contacts(Size size, std::span<const std::uint16_t> labels,
                     std::span<std::uint32_t> contacts) noexcept;
 
+/// The pairs of neighbouring cells of each two planes, counted when they are asked for.
+struct Contacts {
+  Size size;
+  std::span<const std::uint16_t> labels;
+  std::span<std::uint32_t> table;
+  std::size_t i = 0, j = 0;  ///< the planes in question
+  bool counted = false;
+
+  std::uint32_t of(std::size_t a, std::size_t b) noexcept {
+    if (!counted) count_contacts(size, labels, table);
+    counted = true;
+    return of_pair(table, a, b);
+  }
+};
+
 /// Each plane's first cell, and how many it has.
 void count_cells(std::span<const std::uint16_t> labels, std::span<std::uint32_t> first,
                  std::span<std::uint32_t> count) noexcept;

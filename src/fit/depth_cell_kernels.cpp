@@ -16,44 +16,66 @@ struct ColumnSums {
   std::int32_t n[columns];
 };
 
-void take_row(const float* row, std::int32_t width, float* reading, std::int32_t* n) noexcept {
-  for (std::int32_t x = 0; x < width; ++x) {
-    reading[x] = row[x] > 0 ? row[x] : 0.0F;
-    n[x] += static_cast<std::int32_t>(row[x] > 0);
-  }
+void take_row(const float* row, std::int32_t width, float* __restrict reading) noexcept {
+  for (std::int32_t x = 0; x < width; ++x) reading[x] = row[x] > 0 ? row[x] : 0.0F;
 }
 
-/// Adds four rows, the first of which is row v of the cells.
+/// Adds four rows, the first of which is row v of the cells; the first band begins the sums.
+template <bool first>
 void add_rows(const DepthRows& rows, std::int32_t width, double v, ColumnSums& sums) noexcept {
-  for (std::int32_t i = 0; i < band; ++i) {
-    take_row(rows.first + i * rows.stride, width, sums.reading[i], sums.n);
+  for (std::int32_t i = 0; i < band; ++i) take_row(rows.first + i * rows.stride, width, sums.reading[i]);
+  for (std::int32_t x = 0; x < width; ++x) {
+    const std::int32_t upper = (sums.reading[0][x] > 0 ? 1 : 0) + (sums.reading[1][x] > 0 ? 1 : 0);
+    const std::int32_t lower = (sums.reading[2][x] > 0 ? 1 : 0) + (sums.reading[3][x] > 0 ? 1 : 0);
+    sums.n[x] = (first ? 0 : sums.n[x]) + (upper + lower);
   }
   for (std::int32_t x = 0; x < width; ++x) {
     const double q0 = static_cast<double>(sums.reading[0][x]), q1 = static_cast<double>(sums.reading[1][x]);
     const double q2 = static_cast<double>(sums.reading[2][x]), q3 = static_cast<double>(sums.reading[3][x]);
     const double q = (q0 + q1) + (q2 + q3);
-    sums.q[x] += q;
-    sums.vq[x] += v * q + ((q1 + 2 * q2) + 3 * q3);
-    sums.qq[x] += (q0 * q0 + q1 * q1) + (q2 * q2 + q3 * q3);
+    sums.q[x] = (first ? 0 : sums.q[x]) + q;
+    sums.vq[x] = (first ? 0 : sums.vq[x]) + (v * q + ((q1 + 2 * q2) + 3 * q3));
+    sums.qq[x] = (first ? 0 : sums.qq[x]) + ((q0 * q0 + q1 * q1) + (q2 * q2 + q3 * q3));
   }
 }
 
-DepthCellSums sum_columns(const ColumnSums& sums, std::int32_t first, std::int32_t side) noexcept {
-  DepthCellSums cell;
-  for (std::int32_t i = 0; i < side; i += band) {
-    const double* q = sums.q + first + i;
-    const double* vq = sums.vq + first + i;
-    const double* qq = sums.qq + first + i;
-    const std::int32_t* n = sums.n + first + i;
-    const double sum = (q[0] + q[1]) + (q[2] + q[3]);
-    cell.q += sum;
-    cell.uq += i * sum + ((q[1] + 2 * q[2]) + 3 * q[3]);
-    cell.vq += (vq[0] + vq[1]) + (vq[2] + vq[3]);
-    cell.qq += (qq[0] + qq[1]) + (qq[2] + qq[3]);
-    cell.n += (n[0] + n[1]) + (n[2] + n[3]);
+/// Sums of four columns beside one another each.
+struct BandSums {
+  static constexpr std::int32_t most = columns / band;
+  double q[most], uq[most], vq[most], qq[most];
+  std::int32_t n[most];
+
+  void sum(const ColumnSums& of, std::int32_t bands) noexcept {
+    for (std::int32_t i = 0; i < bands; ++i) {
+      const double* x = of.q + band * i;
+      q[i] = (x[0] + x[1]) + (x[2] + x[3]);
+      uq[i] = (x[1] + 2 * x[2]) + 3 * x[3];
+    }
+    for (std::int32_t i = 0; i < bands; ++i) {
+      const double* x = of.vq + band * i;
+      vq[i] = (x[0] + x[1]) + (x[2] + x[3]);
+    }
+    for (std::int32_t i = 0; i < bands; ++i) {
+      const double* x = of.qq + band * i;
+      qq[i] = (x[0] + x[1]) + (x[2] + x[3]);
+    }
+    for (std::int32_t i = 0; i < bands; ++i) {
+      const std::int32_t* x = of.n + band * i;
+      n[i] = (x[0] + x[1]) + (x[2] + x[3]);
+    }
   }
-  return cell;
-}
+  DepthCellSums cell(std::int32_t first, std::int32_t bands) const noexcept {
+    DepthCellSums sums;
+    for (std::int32_t i = 0; i < bands; ++i) {
+      sums.q += q[first + i];
+      sums.uq += band * i * q[first + i] + uq[first + i];
+      sums.vq += vq[first + i];
+      sums.qq += qq[first + i];
+      sums.n += n[first + i];
+    }
+    return sums;
+  }
+};
 
 /// Four cells that make one each, and how far their means are from its.
 struct JoinedCells {
@@ -120,14 +142,15 @@ void sum_cells(const DepthRows& corner, std::int32_t side, std::int32_t cells, D
   for (std::int32_t cell = 0; cell < cells; cell += columns / side) {
     const std::int32_t left = cells - cell, at_once = left < columns / side ? left : columns / side;
     const std::int32_t width = at_once * side;
-    for (std::int32_t x = 0; x < columns; ++x) {
-      sums.q[x] = sums.vq[x] = sums.qq[x] = 0;
-      sums.n[x] = 0;
+    const float* const first = corner.first + cell * side;
+    add_rows<true>({first, corner.stride}, width, 0, sums);
+    for (std::int32_t v = band; v < side; v += band) {
+      add_rows<false>({first + v * corner.stride, corner.stride}, width, v, sums);
     }
-    for (std::int32_t v = 0; v < side; v += band) {
-      add_rows({corner.first + v * corner.stride + cell * side, corner.stride}, width, v, sums);
-    }
-    for (std::int32_t i = 0; i < at_once; ++i) out[cell + i] = sum_columns(sums, i * side, side);
+    const std::int32_t bands = side / band;
+    BandSums of_bands;
+    of_bands.sum(sums, at_once * bands);
+    for (std::int32_t i = 0; i < at_once; ++i) out[cell + i] = of_bands.cell(i * bands, bands);
   }
 }
 

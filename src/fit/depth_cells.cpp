@@ -138,27 +138,30 @@ InverseDepthMoments DepthCells::moments(int level, std::size_t place) const noex
           n * q * q + number(cell.qq)};
 }
 
-void DepthCells::build(ImageView<const float> inverse_depth, const DepthKernels& kernels) noexcept {
+void DepthCells::build_row(ImageView<const float> inverse_depth, std::int32_t y,
+                           const DepthKernels& kernels) noexcept {
   // Step 1.
   constexpr std::int32_t at_once = 16;
   std::array<DepthCellSums, at_once> sums;
   const Size cells = size(finest_);
   const std::int32_t pixels = side_of(finest_), whole_columns = inverse_depth.width / pixels;
-  for (std::int32_t y = 0; y < cells.height; ++y) {
-    const CellRow row{inverse_depth, pixels, y * pixels, *this};
-    std::int32_t x = 0;
-    if (row.top + pixels <= inverse_depth.height) {
-      for (; x < whole_columns; x += at_once) {
-        const std::int32_t count = std::min(at_once, whole_columns - x);
-        const float* corner = inverse_depth.row(row.top) + static_cast<std::ptrdiff_t>(x) * pixels;
-        kernels.sum_cells({corner, inverse_depth.stride / static_cast<std::ptrdiff_t>(sizeof(float))}, pixels,
-                          count, sums.data());
-        row.add(x, std::span(sums).first(static_cast<std::size_t>(count)), place_of(cells, x, y), kernels);
-      }
-      x = whole_columns;
+  const CellRow row{inverse_depth, pixels, y * pixels, *this};
+  std::int32_t x = 0;
+  if (row.top + pixels <= inverse_depth.height) {
+    for (; x < whole_columns; x += at_once) {
+      const std::int32_t count = std::min(at_once, whole_columns - x);
+      const float* corner = inverse_depth.row(row.top) + static_cast<std::ptrdiff_t>(x) * pixels;
+      kernels.sum_cells({corner, inverse_depth.stride / static_cast<std::ptrdiff_t>(sizeof(float))}, pixels,
+                        count, sums.data());
+      row.add(x, std::span(sums).first(static_cast<std::size_t>(count)), place_of(cells, x, y), kernels);
     }
-    for (; x < cells.width; ++x) row.sum(x, place_of(cells, x, y));
+    x = whole_columns;
   }
+  for (; x < cells.width; ++x) row.sum(x, place_of(cells, x, y));
+}
+
+void DepthCells::build(ImageView<const float> inverse_depth, const DepthKernels& kernels) noexcept {
+  for (std::int32_t y = 0; y < size(finest_).height; ++y) build_row(inverse_depth, y, kernels);
   sum_up(kernels);
 }
 

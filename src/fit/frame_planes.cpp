@@ -55,15 +55,10 @@ Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
   return Status::ok;
 }
 
-void FramePlanes::assign_cells(bool all) noexcept {
+void FramePlanes::assign_cells() noexcept {
   // Step 3.
-  const detail::CellLabeller labeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels,
-                                      float_surfaces_};
-  if (all) {
-    labeller.label(cell_labels_);
-  } else {
-    labeller.label_rest(small_cell_labels());
-  }
+  detail::CellLabeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels, float_surfaces_}
+      .label(cell_labels_);
 }
 
 void FramePlanes::refit(const PinholeCamera& camera) noexcept {
@@ -79,13 +74,15 @@ void FramePlanes::refit(const PinholeCamera& camera) noexcept {
 }
 
 void FramePlanes::join(const detail::PlaneSurfaces& fitting) noexcept {
-  detail::count_contacts(cells_.size(cells_.finest()), small_cell_labels(), contacts_);
+  detail::Contacts contacts{cells_.size(cells_.finest()), small_cell_labels(), contacts_};
   for (std::uint16_t i = 0; i < count_; ++i) {
     if (becomes_[i] != i) continue;
     for (std::uint16_t j = i + 1U; j < count_; ++j) {
       if (becomes_[j] != j) continue;
-      if (!fitting.are_one(sums_[i], sums_[j], squares_[i] + squares_[j], detail::of_pair(contacts_, i, j),
-                           surfaces_[i], squares_[i])) {
+      contacts.i = i;
+      contacts.j = j;
+      if (!fitting.are_one(sums_[i], sums_[j], squares_[i] + squares_[j], contacts, surfaces_[i],
+                           squares_[i])) {
         continue;
       }
       sums_[i].add(sums_[j]);
@@ -176,6 +173,25 @@ void FramePlanes::clear_cell(std::int32_t cell) noexcept {
   }
 }
 
+Status FramePlanes::read_depth(const DepthView& depth) noexcept {
+  // Step 1. In bands of rows that the cells find in the processor's nearest memory.
+  const std::int32_t rows = options_.cell;
+  for (std::int32_t y = 0; y < size_.height; y += rows) {
+    const Size band{size_.width, std::min(rows, size_.height - y)};
+    DepthView part = depth;
+    part.raw.data = depth.raw.row(y);
+    part.raw.height = band.height;
+    ImageView<float> out = inverse_depth_;
+    out.data = inverse_depth_.row(y);
+    out.height = band.height;
+    const Status status = inverse_depth_image(part, out, *options_.kernels);
+    if (status != Status::ok) return status;
+    cells_.build_row(inverse_depth_, y / rows, *options_.kernels);
+  }
+  cells_.sum_up(*options_.kernels);
+  return Status::ok;
+}
+
 Status FramePlanes::search_round(const DepthView& depth, const PlaneSearch& search,
                                  ImageView<const std::uint16_t> labels, PlanesFound& found) noexcept {
   // Step 2.
@@ -189,7 +205,7 @@ Status FramePlanes::search_round(const DepthView& depth, const PlaneSearch& sear
     surfaces_[count_ + k] = {.plane = room[k].fit.plane};
   }
   count_ += added;
-  assign_cells(true);
+  assign_cells();
   refit(depth.camera);
   judge(depth.camera, false);
   return Status::ok;
@@ -202,10 +218,7 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   if (depth.raw.size() != size_ || labels.size() != size_) return Status::size_mismatch;
   found = {};
   count_ = 0;
-  // Step 1.
-  const Status read = inverse_depth_image(depth, inverse_depth_, *options_.kernels);
-  if (read != Status::ok) return read;
-  cells_.build(inverse_depth_, *options_.kernels);
+  if (const Status read = read_depth(depth); read != Status::ok) return read;
   double readings = 0;
   const int coarsest = DepthCells::levels - 1;
   const float* of_cells = cells_.rows(coarsest, 0).first;
@@ -229,7 +242,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
                            std::span<FoundPlane> planes, PlanesFound& found) noexcept {
   // Step 7.
   if (dropped_) {
-    assign_cells(false);
+    assign_cells();
     refit(depth.camera);
   }
   sort_by_cells();

@@ -20,6 +20,10 @@ struct Grid {
   std::size_t place(std::int32_t x, std::int32_t y) const noexcept {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
   }
+  /// Four cells beside one another; nearly everywhere they are.
+  bool all_taken(std::size_t i) const noexcept {
+    return labels[i] != 0 && labels[i + 1] != 0 && labels[i + 2] != 0 && labels[i + 3] != 0;
+  }
   bool is_free(std::int32_t x, std::int32_t y) const noexcept {
     return labels[place(x, y)] == 0 && counts[place(x, y)] >= least_readings;
   }
@@ -50,7 +54,8 @@ std::uint32_t free_cells(const DepthCells& cells, std::span<const std::uint16_t>
   std::uint32_t middles = 0;
   for (std::int32_t y = 0; y < grid.size.height; ++y) {
     for (std::int32_t x = 0; x < grid.size.width; ++x) {
-      if (!grid.is_middle(x, y)) continue;
+      while (x + 4 <= grid.size.width && grid.all_taken(grid.place(x, y))) x += 4;
+      if (x == grid.size.width || !grid.is_middle(x, y)) continue;
       ++middles;
       grid.mark_around(x, y);
     }

@@ -117,7 +117,7 @@ bool PlaneSurfaces::fit(const QuadraticSums& sums, BentPlane& surface, double& s
 }
 
 bool PlaneSurfaces::are_one(const QuadraticSums& a, const QuadraticSums& b, double squares_apart,
-                            std::uint32_t touching, BentPlane& surface, double& squares) const noexcept {
+                            Contacts& contacts, BentPlane& surface, double& squares) const noexcept {
   QuadraticSums both = a;
   both.add(b);
   BentPlane common;
@@ -125,10 +125,16 @@ bool PlaneSurfaces::are_one(const QuadraticSums& a, const QuadraticSums& b, doub
   if (!fit(both, common, squares_of_both)) return false;
   const double noise = options_.gate.inverse_noise(both.right[0] / both.n);
   const double cost = (squares_of_both - squares_apart) / (noise * noise);
+  const auto allows = [&](double floor) noexcept {
+    return cost < chi_square_gate * options_.noise_pixels + floor * floor * a.n * b.n / both.n;
+  };
+  if (!allows(floor_when_mixed)) return false;
   const double cells = std::min(a.n, b.n) / (options_.cell * options_.cell);
+  const std::uint32_t touching = contacts.of(contacts.i, contacts.j);
   const bool mixed_up = touching >= contacts_of_mixed * cells;
-  const double floor = mixed_up ? floor_when_mixed : touching > 0 ? floor_when_touching : floor_when_apart;
-  if (!(cost < chi_square_gate * options_.noise_pixels + floor * floor * a.n * b.n / both.n)) return false;
+  if (!allows(mixed_up ? floor_when_mixed : touching > 0 ? floor_when_touching : floor_when_apart)) {
+    return false;
+  }
   surface = common;
   squares = squares_of_both;
   return true;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "cell_tables.hpp"
 #include "straightedge/depth_cells.hpp"
 #include "straightedge/detail/quadratic_surface.hpp"
 #include "straightedge/frame_planes.hpp"
@@ -26,9 +27,9 @@ class PlaneSurfaces {
   /// The surface of the sums, and its squared residuals. False when there are too few cells.
   bool fit(const QuadraticSums& sums, BentPlane& surface, double& squares) const noexcept;
   /// Whether two planes, each with its own surface, are one: what it costs, in squared residuals, that both
-  /// have one instead. `touching`: pairs of neighbouring cells, one of each plane. The common surface and its
-  /// squares are written if they are.
-  bool are_one(const QuadraticSums& a, const QuadraticSums& b, double squares_apart, std::uint32_t touching,
+  /// have one instead. `contacts` are those of the two, looked at only where they matter. The common surface
+  /// and its squares are written if they are.
+  bool are_one(const QuadraticSums& a, const QuadraticSums& b, double squares_apart, Contacts& contacts,
                BentPlane& surface, double& squares) const noexcept;
 
  private:

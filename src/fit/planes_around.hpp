@@ -13,32 +13,27 @@
 
 namespace straightedge::detail {
 
-/// Some cells beside one another, at most sixteen.
-struct CellRun {
-  std::int32_t x, y, count;
-};
-
-/// The planes of the cells of a run and around them; bits say which cells have a plane around.
+/// The planes of eight cells beside one another and of those around them; bits say which cells have a plane
+/// around.
 struct PlanesAround {
-  static constexpr std::size_t most = 54;
+  static constexpr std::size_t cells = 8, most = 3 * (cells + 2);
   std::array<std::uint16_t, most> label;
   std::array<std::uint32_t, most> near;
   std::size_t count = 0;
   std::uint32_t some = 0, several = 0;  ///< cells with a plane around, with more than one
 
   /// `labels` of all cells; LabelsAround::mark beside them is not looked at.
-  PlanesAround(Size size, std::span<const std::uint16_t> labels, const CellRun& run) noexcept {
-    const std::int32_t begin = std::max<std::int32_t>(run.x - 1, 0);
-    const std::int32_t end = std::min(run.x + run.count + 1, size.width);
-    const std::int32_t bottom = std::min(run.y + 1, size.height - 1);
-    for (std::int32_t y = std::max<std::int32_t>(run.y - 1, 0); y <= bottom; ++y) {
-      add_row(labels.data() + static_cast<std::ptrdiff_t>(y) * size.width + begin, end - begin,
-              begin - run.x + 1);
+  PlanesAround(Size size, std::span<const std::uint16_t> labels, std::int32_t x, std::int32_t y) noexcept {
+    const std::int32_t begin = std::max<std::int32_t>(x - 1, 0);
+    const std::int32_t end = std::min(x + static_cast<std::int32_t>(cells) + 1, size.width);
+    const std::int32_t bottom = std::min(y + 1, size.height - 1);
+    for (std::int32_t j = std::max<std::int32_t>(y - 1, 0); j <= bottom; ++j) {
+      add_row(labels.data() + static_cast<std::ptrdiff_t>(j) * size.width + begin, end - begin,
+              begin - x + 1);
     }
-    const std::uint32_t all = (1U << static_cast<std::uint32_t>(run.count)) - 1U;
     for (std::size_t k = 0; k < count; ++k) {
       // Bit i + 1 stands for the column of cell i: what has the plane, and its neighbours.
-      near[k] = (near[k] | near[k] >> 1U | near[k] >> 2U) & all;
+      near[k] = (near[k] | near[k] >> 1U | near[k] >> 2U) & 0xFFU;
       several |= some & near[k];
       some |= near[k];
     }

@@ -47,14 +47,26 @@ void take_row(const Lattice& lattice, const Picture& picture, std::int32_t colum
               std::int32_t row, std::int32_t du, std::int32_t v) noexcept {
   const detail::RansacSearchMemory& m = lattice.memory;
   const float* depths = picture.inverse_depth.row(v);
-  const std::uint16_t* masks = picture.masked() ? picture.mask.row(v) : nullptr;
   const std::int32_t last = picture.inverse_depth.width - 1;
-  for (std::size_t i = lattice.at(column, row); column < end; ++column, ++i) {
-    const std::int32_t u = column * lattice.cell + du < last ? column * lattice.cell + du : last;
-    const bool free = masks == nullptr || masks[u] == 0;
-    m.u[i] = static_cast<float>(u);
-    m.v[i] = static_cast<float>(v);
-    m.q[i] = free && is_depth(depths[u]) ? depths[u] : no_reading;
+  // The last cell may be cut off.
+  const std::int32_t whole = (end - 1) * lattice.cell + du <= last ? end : end - 1;
+  const std::size_t first = lattice.at(column, row);
+  float *u = &m.u[first], *v_of = &m.v[first], *q = &m.q[first];
+  lattice.kernels.take_readings(depths + column * lattice.cell + du, lattice.cell, whole - column, no_reading,
+                                q);
+  for (std::int32_t i = 0; i < end - column; ++i) {
+    u[i] = static_cast<float>((column + i) * lattice.cell + du);
+    v_of[i] = static_cast<float>(v);
+  }
+  if (whole < end) {
+    u[whole - column] = static_cast<float>(last);
+    q[whole - column] = is_depth(depths[last]) ? depths[last] : no_reading;
+  }
+  if (!picture.masked()) return;
+  const std::uint16_t* masks = picture.mask.row(v);
+  for (std::int32_t i = 0; i < end - column; ++i) {
+    const std::int32_t x = (column + i) * lattice.cell + du;
+    if (masks[x < last ? x : last] != 0) q[i] = no_reading;
   }
 }
 

@@ -20,6 +20,16 @@ void mark_row(const SearchReadings& row, std::int32_t count, const SearchPlane& 
   }
 }
 
+float reading_or(float x, float none) noexcept {
+  return (x > 0) & (x <= 1e6F) ? x : none;
+}
+
+/// With a step that is known loads are shuffles.
+template <std::int32_t step>
+void take_every(const float* first, std::int32_t count, float none, float* __restrict q) noexcept {
+  for (std::int32_t i = 0; i < count; ++i) q[i] = reading_or(first[i * step], none);
+}
+
 /// As many marks as a register holds.
 #if STRAIGHTEDGE_LANES > 1
 using Bytes [[gnu::vector_size(byte_step)]] = std::uint8_t;
@@ -109,6 +119,14 @@ void cost_row(const SearchReadings& row, std::int32_t count, const SearchPlane& 
 }
 
 }  // namespace
+
+void take_readings(const float* first, std::int32_t step, std::int32_t count, float none, float* q) noexcept {
+  if (step == 4) {
+    take_every<4>(first, count, none, q);
+  } else {
+    for (std::int32_t i = 0; i < count; ++i) q[i] = reading_or(first[i * step], none);
+  }
+}
 
 void weigh(float* q, float* w, std::int32_t padded, float least, float per_square, float none) noexcept {
   const Lanes zero = all(0), one = all(1), absent = all(none), narrowest = all(least);

@@ -14,6 +14,7 @@ SearchInliers find_inliers(const SearchReadings& readings, std::uint32_t padded,
                            float most) noexcept;
 void sum_inliers(const SearchReadings& readings, std::uint32_t padded, const SearchPlane& plane, float most,
                  SearchSums& sums) noexcept;
+void take_readings(const float* first, std::int32_t step, std::int32_t count, float none, float* q) noexcept;
 void weigh(float* q, float* w, std::int32_t padded, float least, float per_square, float none) noexcept;
 std::uint32_t count_readings(const float* q, const SearchBox& box) noexcept;
 void mark_hits(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane,
