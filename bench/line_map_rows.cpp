@@ -10,8 +10,9 @@ namespace {
 
 auto prepare_line_map(const Job& job) {
   auto gray = std::make_shared<straightedge::Image<std::uint8_t>>(make_picture(job));
-  return [gray] {
-    const auto result = straightedge::build_line_map(*gray);
+  auto builder = std::make_shared<straightedge::LineMapBuilder>();
+  return [gray, builder] {
+    const auto result = builder->build(*gray);
     if (!result) {
       std::fprintf(stderr, "line_map: %s\n", result.failure().sentence.c_str());
       std::exit(70);

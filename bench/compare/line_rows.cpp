@@ -118,15 +118,16 @@ void print_map_rows(Size size, int rounds) {
   const cv::Mat gray = mat_of(plan);
   const cv::Mat walls = gray < 128;
   std::vector<cv::Vec4i> theirs;
+  cv::Mat blurred, edges;
   for (const KernelSet& kernels : kernel_sets()) {
     std::vector<cv::Vec4i> ours;
+    LineMapBuilder builder({}, kernels);
     const auto run_ours = [&] {
-      const auto built = build_line_map(plan, {}, kernels);
+      const auto built = builder.build(plan);
       ours.clear();
       if (built) ours = map_as_lines(built->map, size);
     };
     const auto run_theirs = [&] {
-      cv::Mat blurred, edges;
       cv::GaussianBlur(gray, blurred, {5, 5}, 1.4);
       cv::Canny(blurred, edges, 50, 150);
       opencv_lines(edges, wall_options, theirs);

@@ -57,6 +57,10 @@ struct GradientField {
 EdgePosition edge_position(const GradientField& field, std::int32_t x, std::int32_t y) noexcept;
 
 /// The same with the gradient, by the field's table where it has one.
-EdgePoint edge_point(const GradientField& field, std::int32_t x, std::int32_t y) noexcept;
+inline EdgePoint edge_point(const GradientField& field, std::int32_t x, std::int32_t y) noexcept {
+  if (field.table != nullptr) return field.table->points[field.table->numbers.at(x, y)];
+  const EdgePosition edge = edge_position(field, x, y);
+  return {edge.x, edge.y, 1 / edge.variance, field.x.at(x, y), field.y.at(x, y)};
+}
 
 }  // namespace straightedge

@@ -42,7 +42,7 @@ struct RefinedSegment {
 /// 2. Walk from the segment's middle to both ends and on, collecting the edge pixels of the corridor
 ///    whose gradient points to the light side within max_angle, until a hole is longer than max_gap.
 /// 3. Take each pixel's sub-pixel position (edge_position.hpp) and weight, fit a line, go to 2; at most
-///    `rounds` times, and no more when the pixels are those of the round before.
+///    `rounds` times, and no more when the pixels are those of the round before, or the line hardly moves.
 /// 4. Before the last round, or when the pixels stay the same: when the two halves lie on lines a step apart,
 ///    they are two walls that nearly continue one another; go on with the larger half in a corridor half as
 ///    wide.

@@ -45,10 +45,4 @@ EdgePosition edge_position(const GradientField& field, std::int32_t x, std::int3
   return edge;
 }
 
-EdgePoint edge_point(const GradientField& field, std::int32_t x, std::int32_t y) noexcept {
-  if (field.table != nullptr) return field.table->points[field.table->numbers.at(x, y)];
-  const EdgePosition edge = edge_position(field, x, y);
-  return {edge.x, edge.y, 1 / edge.variance, field.x.at(x, y), field.y.at(x, y)};
-}
-
 }  // namespace straightedge

@@ -7,28 +7,41 @@
 namespace straightedge::hough {
 namespace {
 
+/// Calls visit(n, cell) for the angles. The cells are found some at a time, before any of them is written: so
+/// compilers can use vectors, and need not read the tables' addresses again.
+template <class Cell, class Visit>
+void for_cells(Cell* cells, const HoughMemory& memory, PixelPlace pixel, Angles angles,
+               const Visit& visit) noexcept {
+  constexpr std::int32_t some = 16;
+  std::uint32_t index[some];
+  const auto x = static_cast<float>(pixel.x);
+  const auto y = static_cast<float>(pixel.y);
+  for (std::int32_t first = angles.first; first < angles.end; first += some) {
+    const float* const cosines = memory.cosines.data() + first;
+    const float* const sines = memory.sines.data() + first;
+    const std::uint32_t* const offsets = memory.offsets.data() + first;
+    const std::int32_t count = angles.end - first < some ? angles.end - first : some;
+    for (std::int32_t k = 0; k < count; ++k)
+      index[k] = std::bit_cast<std::uint32_t>(x * cosines[k] + y * sines[k] + rounding_float) + offsets[k];
+    for (std::int32_t k = 0; k < count; ++k) visit(first + k, cells[index[k]]);
+  }
+}
+
 template <class Cell>
 HoughCandidate cast(Cell* cells, const HoughMemory& memory, PixelPlace pixel, Angles angles,
                     HoughCandidate best) noexcept {
-  const auto x = static_cast<float>(pixel.x);
-  const auto y = static_cast<float>(pixel.y);
-  for (std::int32_t n = angles.first; n < angles.end; ++n) {
-    Cell& cell = cells[cell_index(memory, static_cast<std::size_t>(n), x, y)];
+  for_cells(cells, memory, pixel, angles, [&](std::int32_t n, Cell& cell) noexcept {
     const std::int32_t votes = cell + 1;
     cell = static_cast<Cell>(votes);
     if (votes > best.votes) best = {votes, n};
-  }
+  });
   return best;
 }
 
 template <class Cell>
 void take_off(Cell* cells, const HoughMemory& memory, PixelPlace pixel, Angles angles) noexcept {
-  const auto x = static_cast<float>(pixel.x);
-  const auto y = static_cast<float>(pixel.y);
-  for (std::int32_t n = angles.first; n < angles.end; ++n) {
-    Cell& cell = cells[cell_index(memory, static_cast<std::size_t>(n), x, y)];
-    cell = static_cast<Cell>(cell - 1);
-  }
+  for_cells(cells, memory, pixel, angles,
+            [](std::int32_t, Cell& cell) noexcept { cell = static_cast<Cell>(cell - 1); });
 }
 
 }  // namespace

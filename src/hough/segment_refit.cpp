@@ -11,6 +11,8 @@ namespace {
 
 // Pixels are looked for a little outside the corridor: their sub-pixel position may lie inside.
 constexpr double position_reach = 0.75;
+// A line that moves by less than this many pixels, at its ends, has the same pixels nearly always.
+constexpr double settled_within = 0.03;
 // Places that tell which side is light.
 constexpr std::int32_t most_places = 48;
 // Two walls that nearly continue one another: halves of this many pixels, a step of this many between them.
@@ -106,6 +108,13 @@ bool follow(const Collected& found, Corridor& strip, LineFit& fit) noexcept {
   return true;
 }
 
+/// Whether the line stayed where it was, at both ends of what was collected along it before.
+bool hardly_moved(const Corridor& before, const Corridor& now, const Collected& found) noexcept {
+  const double begin = now.across(before.px + found.begin * before.tx(), before.py + found.begin * before.ty());
+  const double end = now.across(before.px + found.end * before.tx(), before.py + found.end * before.ty());
+  return begin < settled_within && begin > -settled_within && end < settled_within && end > -settled_within;
+}
+
 /// Step 4. True when the two halves lie on parallel lines a step apart; the corridor is then laid along the
 /// half with more pixels.
 bool is_stepped(const Collected& found, Corridor& strip) noexcept {
@@ -183,17 +192,20 @@ Status refit_segment(GrayView mask, const GradientField& field, const HoughSegme
   bool may_step = true;
   for (int left = options.rounds; left > 0; --left) {
     const Collected found = collect_both_ways(mask, field, strip, options);  // Step 2
-    const bool settled = found.same_pixels(last);
-    last = found;
     const Corridor before = strip;
     LineFit fit;
-    const bool stepped = may_step && (left == 2 || (settled && left > 2)) && is_stepped(found, strip);
-    if (!stepped && !follow(found, strip, fit)) {  // Step 3
+    const bool known = found.same_pixels(last);
+    last = found;
+    if (!follow(found, strip, fit)) {  // Step 3
       refined = {};
       return Status::ok;
     }
+    const bool settled = known || (left < options.rounds && hardly_moved(before, strip, found));
+    Corridor larger = before;
+    const bool stepped = may_step && (left == 2 || (settled && left > 2)) && is_stepped(found, larger);
     if (stepped) {  // Step 4
       may_step = false;
+      strip = larger;
       corridor *= 0.5;
       left = 4;
     } else {

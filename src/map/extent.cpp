@@ -12,7 +12,8 @@
 namespace straightedge {
 namespace {
 
-constexpr double step = 0.5;
+constexpr double pace = 1;  // along the line
+constexpr double step = 0.5;  // across it
 constexpr double search = 12;       // how far beyond its edge pixels an end is looked for
 constexpr double face_depth = 2.0;  // where a face's two sides are sampled
 constexpr double axis_clearance = 2.5;
@@ -25,10 +26,10 @@ struct Track {
   std::vector<double> dark, light;  // gray of the wall's side and of the floor's
   std::vector<double> presence;     // > 0 where there is wall
   std::vector<State> state;
-  double at(std::size_t i) const { return first + step * static_cast<double>(i); }
+  double at(std::size_t i) const { return first + pace * static_cast<double>(i); }
 };
 
-double gray_beside(GrayView image, const WallLine& line, double s, double u) {
+inline double gray_beside(GrayView image, const WallLine& line, double s, double u) {
   return sample(image, line.x_at(s) + u * line.nx, line.y_at(s) + u * line.ny);
 }
 
@@ -36,7 +37,7 @@ double gray_beside(GrayView image, const WallLine& line, double s, double u) {
 Track sample_track(const WallLine& line, GrayView blurred) {
   Track track;
   track.first = line.begin - search;
-  const auto count = static_cast<std::size_t>((line.length() + 2 * search) / step) + 1;
+  const auto count = static_cast<std::size_t>((line.length() + 2 * search) / pace) + 1;
   const double aside = 0.5 * line.width + axis_clearance;
   track.dark.reserve(count);
   track.light.reserve(count);
@@ -56,7 +57,7 @@ Track sample_track(const WallLine& line, GrayView blurred) {
 
 /// Step 2.
 void judge(const WallLine& line, Track& track) {
-  const auto from = static_cast<std::ptrdiff_t>(search / step);
+  const auto from = static_cast<std::ptrdiff_t>(search / pace);
   const auto to = static_cast<std::ptrdiff_t>(track.dark.size()) - from;
   const double dark = median({track.dark.begin() + from, track.dark.begin() + to});
   const double light = median({track.light.begin() + from, track.light.begin() + to});
@@ -87,8 +88,8 @@ std::vector<Piece> pieces_of(const WallLine& line, const Track& track, const Ext
     } else if (track.state[i] == State::blocked) {
       ++blocks;
     } else {
-      const bool near = step * static_cast<double>(holes) <= options.max_gap &&
-                        step * static_cast<double>(blocks) <= through;
+      const bool near = pace * static_cast<double>(holes) <= options.max_gap &&
+                        pace * static_cast<double>(blocks) <= through;
       if (!pieces.empty() && near) {
         pieces.back().last = i;
       } else {
@@ -100,7 +101,7 @@ std::vector<Piece> pieces_of(const WallLine& line, const Track& track, const Ext
   if (!line.axis) return pieces;
   // An axis ends where its core turns light: through the wall that it meets, if that is thin.
   for (Piece& piece : pieces) {
-    const auto most = static_cast<std::size_t>(through / step);
+    const auto most = static_cast<std::size_t>(through / pace);
     std::size_t i = piece.last;
     while (i + 1 < track.state.size() && track.state[i + 1] == State::blocked && i - piece.last <= most) ++i;
     if (i - piece.last <= most) piece.last = i;
@@ -118,7 +119,7 @@ double crossing(const Track& track, std::size_t inside, std::ptrdiff_t direction
   const double here = track.presence[inside];
   const double there = track.presence[static_cast<std::size_t>(next)];
   const double share = here > 0 && there < 0 ? here / (here - there) : 0;
-  return track.at(inside) + static_cast<double>(direction) * step * share;
+  return track.at(inside) + static_cast<double>(direction) * pace * share;
 }
 
 /// Cuts off what lies outside the picture, whose square reaches half a pixel beyond the outer pixels'

@@ -29,30 +29,14 @@ void stretch(const std::uint8_t* __restrict row, std::int32_t width, GrayStretch
 }
 
 void count_grain(const std::uint8_t* row, std::int32_t width, GrainCount& count) noexcept {
-  constexpr std::int32_t most = 255;  // rounds that a byte can count
-  std::int32_t x = 1;
-  while (x + lanes <= width) {
-    std::uint8_t pairs[lanes] = {}, same[lanes] = {};
-    for (std::int32_t round = 0; round < most && x + lanes <= width; ++round, x += lanes) {
-      const std::uint8_t* __restrict here = row + x;
-      const std::uint8_t* __restrict left = row + x - 1;
-      for (std::int32_t i = 0; i < lanes; ++i) {
-        const std::uint8_t between = static_cast<std::uint8_t>((here[i] != 0 ? 1 : 0) & (here[i] != 255 ? 1 : 0));
-        const std::uint8_t equal = here[i] == left[i] ? 1 : 0;
-        pairs[i] = static_cast<std::uint8_t>(pairs[i] + between);
-        same[i] = static_cast<std::uint8_t>(same[i] + (between & equal));
-      }
-    }
-    for (std::int32_t i = 0; i < lanes; ++i) {
-      count.pairs += pairs[i];
-      count.same += same[i];
-    }
-  }
-  for (; x < width; ++x) {
+  std::int32_t pairs = 0, same = 0;
+  for (std::int32_t x = 1; x < width; ++x) {
     const std::int32_t between = (row[x] != 0 ? 1 : 0) & (row[x] != 255 ? 1 : 0);
-    count.pairs += between;
-    count.same += between & (row[x] == row[x - 1] ? 1 : 0);
+    pairs += between;
+    same += between & (row[x] == row[x - 1] ? 1 : 0);
   }
+  count.pairs += pairs;
+  count.same += same;
 }
 
 inline std::uint8_t darker(std::uint8_t a, std::uint8_t b) noexcept {

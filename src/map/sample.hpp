@@ -9,9 +9,9 @@
 
 namespace straightedge {
 
-/// The way from one place to the next along a stretch, in pixels, where 64 places tell as much as all.
+/// The way from one place to the next along a stretch, in pixels, where 32 places tell as much as all.
 inline double place_step(double length) {
-  return length > 64 ? length / 64 : 1;
+  return length > 32 ? length / 32 : 1;
 }
 
 /// Gray between the pixels, bilinear; coordinates beyond the border read the border.

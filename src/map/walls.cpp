@@ -40,11 +40,11 @@ bool opposite(const WallLine& a, const WallLine& b, double max_distance) {
 
 /// Step 2: mean over the stretch of the darkness across the wall, in pixels of black.
 double wall_width(GrayView picture, const WallLine& a, Span stretch, double distance) {
-  constexpr double step = 0.5;
+  constexpr double step = 0.25;
   const double reach = 0.5 * distance + 2.5;
   double sum = 0;
   int rows = 0;
-  for (double s = stretch.begin; s <= stretch.end; s += place_step(stretch.length())) {
+  for (double s = stretch.begin; s <= stretch.end; s += 2 * place_step(stretch.length())) {
     const double x = a.x_at(s), y = a.y_at(s);
     for (double depth = -reach - 0.5 * distance; depth <= reach - 0.5 * distance; depth += step)
       sum += 255 - sample(picture, x + depth * a.nx, y + depth * a.ny);
