@@ -113,7 +113,7 @@ void print_window_rows(Size size, int rounds) {
 }
 
 /// Agrees when the map's lines cover the dark pixels as well as the edge segments do.
-void print_map_rows(Size size, int rounds) {
+void print_map_rows(const char* name, const LineMapOptions& options, Size size, int rounds) {
   const auto plan = bench::make_picture({bench::Picture::floor_plan, size});
   const cv::Mat gray = mat_of(plan);
   const cv::Mat walls = gray < 128;
@@ -121,7 +121,7 @@ void print_map_rows(Size size, int rounds) {
   cv::Mat blurred, edges;
   for (const KernelSet& kernels : kernel_sets()) {
     std::vector<cv::Vec4i> ours;
-    LineMapBuilder builder({}, kernels);
+    LineMapBuilder builder(options, kernels);
     const auto run_ours = [&] {
       const auto built = builder.build(plan);
       ours.clear();
@@ -133,9 +133,7 @@ void print_map_rows(Size size, int rounds) {
       opencv_lines(edges, wall_options, theirs);
     };
     const auto agree = [&] { return cover_of(walls, ours).as_good_as(cover_of(walls, theirs)); };
-    print_row({"picture to line map, floor plan", text_of(size), std::string(kernels.name), run_ours,
-               run_theirs, agree},
-              rounds);
+    print_row({name, text_of(size), std::string(kernels.name), run_ours, run_theirs, agree}, rounds);
   }
 }
 
@@ -144,7 +142,8 @@ void print_map_rows(Size size, int rounds) {
 void print_line_rows(Size size, int rounds) {
   print_equal_rows(size, rounds);
   print_window_rows(size, rounds);
-  print_map_rows(size, rounds);
+  print_map_rows("picture to line map, floor plan", {}, size, rounds);
+  print_map_rows("picture to line map without refinement, floor plan", {.refine = false}, size, rounds);
 }
 
 }  // namespace compare

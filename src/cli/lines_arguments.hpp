@@ -17,6 +17,7 @@ struct LinesArguments {
   std::string input;
   DetectionArguments detection;
   bool negate = false;
+  bool fast = false;
   bool metres = false;
   MapPlacement placement;
   std::string name, description, created;

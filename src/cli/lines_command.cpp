@@ -56,7 +56,8 @@ void describe(LineMap& map, const LinesArguments& arguments, const MapSource& so
   map.meta.description = arguments.description;
   map.meta.created = created_time(arguments.created);
   map.meta.tool = version_text();
-  map.meta.options = words_of(options) + (arguments.negate ? ", negate" : "");
+  map.meta.options =
+      words_of(options) + (arguments.negate ? ", negate" : "") + (arguments.fast ? ", fast" : "");
   if (!map.image) return;
   map.image->file = base_name(source.picture);
   map.image->placement = source.placement;

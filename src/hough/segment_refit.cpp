@@ -110,7 +110,8 @@ bool follow(const Collected& found, Corridor& strip, LineFit& fit) noexcept {
 
 /// Whether the line stayed where it was, at both ends of what was collected along it before.
 bool hardly_moved(const Corridor& before, const Corridor& now, const Collected& found) noexcept {
-  const double begin = now.across(before.px + found.begin * before.tx(), before.py + found.begin * before.ty());
+  const double begin =
+      now.across(before.px + found.begin * before.tx(), before.py + found.begin * before.ty());
   const double end = now.across(before.px + found.end * before.tx(), before.py + found.end * before.ty());
   return begin < settled_within && begin > -settled_within && end < settled_within && end > -settled_within;
 }

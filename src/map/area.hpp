@@ -24,7 +24,8 @@ struct Square {
 /// An image of that size whose pixels are 0, in the memory that is there if it fits.
 inline void clear(Image<std::uint8_t>& image, Size size) {
   if (image.size() != size) image = Image<std::uint8_t>::for_overwrite(size);
-  for (std::int32_t y = 0; y < size.height; ++y) std::fill_n(image.view().row(y), size.width, std::uint8_t{0});
+  for (std::int32_t y = 0; y < size.height; ++y)
+    std::fill_n(image.view().row(y), size.width, std::uint8_t{0});
 }
 
 /// Flood fill with a list in place of recursion: collects in `area` the pixels that hang together with the

@@ -12,8 +12,8 @@
 namespace straightedge {
 namespace {
 
-constexpr double pace = 1;  // along the line
-constexpr double step = 0.5;  // across it
+constexpr double pace = 1;          // along the line
+constexpr double step = 0.5;        // across it
 constexpr double search = 12;       // how far beyond its edge pixels an end is looked for
 constexpr double face_depth = 2.0;  // where a face's two sides are sampled
 constexpr double axis_clearance = 2.5;

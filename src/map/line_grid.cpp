@@ -9,7 +9,8 @@ namespace straightedge {
 namespace {
 
 constexpr double side = 32;
-// Cells; no picture is larger. What lies outside counts as in the outermost cells: neighbours stay neighbours.
+// Cells; no picture is larger. What lies outside counts as in the outermost cells: neighbours stay
+// neighbours.
 constexpr double before_first = -16;
 constexpr double behind_last = 1040;
 

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "map/bridge.hpp"
 #include "map/candidates.hpp"
+#include "map/coarse_lines.hpp"
 #include "map/corners.hpp"
 #include "map/edge_planes.hpp"
 #include "map/export.hpp"
@@ -92,6 +94,16 @@ std::vector<std::vector<std::size_t>> long_enough(const std::vector<WallLine>& l
   return out;
 }
 
+/// The map's frame, and the report's last numbers.
+void finish(const std::vector<WallLine>& lines, const std::vector<std::vector<std::size_t>>& groups,
+            const Picture& picture, const std::optional<RosMeaning>& meaning, LineMapResult& out) {
+  out.map.lines = to_map_lines(lines, groups, picture);
+  out.map.image = MapImage{.file = {}, .size = picture.gray.size(), .placement = {}, .meaning = meaning};
+  for (const MapLine& line : out.map.lines)
+    out.report.segments += static_cast<std::uint32_t>(line.segments.size());
+  out.report.lines = static_cast<std::uint32_t>(out.map.lines.size());
+}
+
 }  // namespace
 
 struct LineMapBuilder::Room {
@@ -108,11 +120,39 @@ LineMapBuilder::~LineMapBuilder() = default;
 LineMapBuilder::LineMapBuilder(LineMapBuilder&&) noexcept = default;
 LineMapBuilder& LineMapBuilder::operator=(LineMapBuilder&&) noexcept = default;
 
+Result<LineMapResult> LineMapBuilder::build_coarse(GrayView gray) {
+  LineMapResult out;
+  Picture& picture = room_->picture;
+  picture.facts() = PictureFacts{};
+  copy_gray(gray, options_.meaning && options_.meaning->negate, picture.gray);
+  EdgePlanes& planes = room_->edges.planes;
+  const Status status = planes.detect(picture.gray, options_.canny, kernels_);
+  if (status != Status::ok) return failure_of("the edge detector", status);
+  out.report.canny = planes.result;
+  HoughOptions hough = first_round(options_);
+  hough.kernels = kernels_.hough;
+  const GradientView gradients{planes.dx, planes.dy};
+  const auto rough = room_->candidates.hough.run(planes.pixels, gradients, hough);
+  out.report.hough = room_->candidates.hough.result;
+  if (out.report.hough.status != Status::ok)
+    return failure_of("the Hough transform", out.report.hough.status);
+  const std::vector<WallLine> lines = coarse_lines(rough, gradients, options_.min_length);
+  out.report.rounds = 1;
+  out.report.candidates = static_cast<std::uint32_t>(rough.size());
+  out.report.edges = static_cast<std::uint32_t>(lines.size());
+  out.report.too_short = out.report.candidates - out.report.edges;
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < lines.size(); ++i) groups.push_back({i});
+  finish(lines, groups, picture, options_.meaning, out);
+  return out;
+}
+
 Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   const LineMapOptions& options = options_;
   if (!gray.valid()) return Failure{Problem::bad_content, "the picture has no pixels"};
   if (!valid(options) || (options.meaning && !valid(*options.meaning)))
     return failure_of("the line map's options", Status::invalid_option);
+  if (!options.refine) return build_coarse(gray);
   LineMapResult out;
   LineMapReport& report = out.report;
   // Step 1: what the picture shows.
@@ -126,7 +166,8 @@ Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   report.canny = edges.planes.result;
   // Step 3: straight edges, each with pixels of its own.
   std::vector<WallLine> lines;
-  status = find_edges(edges.planes.pixels, edges.field(), options, kernels_, room_->candidates, lines, report);
+  status =
+      find_edges(edges.planes.pixels, edges.field(), options, kernels_, room_->candidates, lines, report);
   if (status != Status::ok) return failure_of("the Hough transform", status);
   // Steps 4 to 6: thin walls become axes, ends are measured, what is no wall goes.
   const bool map = picture.kind == PictureKind::map;
@@ -147,11 +188,7 @@ Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   if (map) close_corners(lines, helpers, corner_reach);
   const auto kept = long_enough(lines, groups, options.min_length);
   // Step 10: the map's frame.
-  out.map.lines = to_map_lines(lines, kept, picture);
-  out.map.image = MapImage{.file = {}, .size = gray.size(), .placement = {}, .meaning = options.meaning};
-  for (const MapLine& line : out.map.lines)
-    report.segments += static_cast<std::uint32_t>(line.segments.size());
-  report.lines = static_cast<std::uint32_t>(out.map.lines.size());
+  finish(lines, kept, picture, options.meaning, out);
   report.too_short = static_cast<std::uint32_t>(helpers.size() + lines.size() - bridged - report.segments);
   return out;
 }

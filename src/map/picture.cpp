@@ -117,17 +117,6 @@ int darkest_level(const Histogram& histogram, std::int64_t pixels) {
   return 0;
 }
 
-void copy_gray(GrayView gray, bool negate, Image<std::uint8_t>& out) {
-  const std::uint8_t flip = negate ? 255 : 0;
-  const auto width = static_cast<std::size_t>(gray.width);
-  if (out.size() != gray.size()) out = Image<std::uint8_t>::for_overwrite(gray.size());
-  for (std::int32_t y = 0; y < gray.height; ++y) {
-    const std::uint8_t* const from = gray.row(y);
-    std::uint8_t* const to = out.view().row(y);
-    for (std::size_t x = 0; x < width; ++x) to[x] = from[x] ^ flip;
-  }
-}
-
 void stretch(GrayView gray, const GrayStretch& rule, const PictureRowKernels& kernels,
              Image<std::uint8_t>& out) {
   if (out.size() != gray.size()) out = Image<std::uint8_t>::for_overwrite(gray.size());
@@ -149,7 +138,8 @@ bool is_speckled(GrayView gray, const PictureRowKernels& kernels) {
   std::array<int, cells * cells> specks{};
   std::vector<std::uint8_t> lone(static_cast<std::size_t>(gray.width));
   for (std::int32_t y = 1; y + 1 < gray.height; ++y) {
-    if (!kernels.find_lone(gray.row(y - 1), gray.row(y), gray.row(y + 1), gray.width, lone_contrast, lone.data()))
+    if (!kernels.find_lone(gray.row(y - 1), gray.row(y), gray.row(y + 1), gray.width, lone_contrast,
+                           lone.data()))
       continue;
     for (auto at = std::find(lone.begin(), lone.end(), 1); at != lone.end();
          at = std::find(at + 1, lone.end(), 1)) {
@@ -181,6 +171,17 @@ bool is_soft(const Histogram& histogram, int black, int ground) {
 }
 
 }  // namespace
+
+void copy_gray(GrayView gray, bool negate, Image<std::uint8_t>& out) {
+  const std::uint8_t flip = negate ? 255 : 0;
+  const auto width = static_cast<std::size_t>(gray.width);
+  if (out.size() != gray.size()) out = Image<std::uint8_t>::for_overwrite(gray.size());
+  for (std::int32_t y = 0; y < gray.height; ++y) {
+    const std::uint8_t* const from = gray.row(y);
+    std::uint8_t* const to = out.view().row(y);
+    for (std::size_t x = 0; x < width; ++x) to[x] = from[x] ^ flip;
+  }
+}
 
 void understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning,
                         const PictureRowKernels& kernels, Picture& picture) {

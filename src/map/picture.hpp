@@ -13,9 +13,9 @@ namespace straightedge {
 /// What was found out about a picture.
 struct PictureFacts {
   PictureKind kind = PictureKind::photo;  ///< map or photo
-  bool clipped = false;                   ///< some of it is lighter than the darkest ground, or darker than black
-  bool noisy = false;                     ///< grain or specks all over it
-  bool crisp = false;                     ///< no gray between wall and ground
+  bool clipped = false;     ///< some of it is lighter than the darkest ground, or darker than black
+  bool noisy = false;       ///< grain or specks all over it
+  bool crisp = false;       ///< no gray between wall and ground
   bool soft = false;        ///< many grays between wall and ground: edges are blurred or antialiased
   double ground = 255;      ///< the darkest level of ground in `gray`
   double wall_below = 256;  ///< a wall's core is darker than this in `gray`; 256: no such rule
@@ -33,6 +33,9 @@ struct Picture : PictureFacts {
 
   PictureFacts& facts() { return *this; }
 };
+
+/// A copy, negated or not, in the memory of `out` if it fits.
+void copy_gray(GrayView gray, bool negate, Image<std::uint8_t>& out);
 
 Picture understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning);
 

@@ -13,8 +13,8 @@ constexpr std::int32_t side = 4;
 constexpr std::int32_t area = side * side;
 constexpr std::int32_t lanes = 64;  // bytes that are looked at together
 
-/// Rounded: (2 · 255 · (v − black) + span) / (2 · span). The half more than the integer keeps the quotient off
-/// the integers by far more than float rounds.
+/// Rounded: (2 · 255 · (v − black) + span) / (2 · span). The half more than the integer keeps the quotient
+/// off the integers by far more than float rounds.
 void stretch(const std::uint8_t* __restrict row, std::int32_t width, GrayStretch rule,
              std::uint8_t* __restrict out) noexcept {
   const std::int32_t black = rule.black, span = rule.span;

@@ -25,13 +25,13 @@ struct PictureRowKernels {
 
   void (*count_grain)(const std::uint8_t* row, std::int32_t width, GrainCount& count) noexcept;
 
-  /// For pixels 1 to width - 2: 1 where all eight neighbours are lighter by more than the contrast. False: there
-  /// is none.
+  /// For pixels 1 to width - 2: 1 where all eight neighbours are lighter by more than the contrast. False:
+  /// there is none.
   bool (*find_lone)(const std::uint8_t* above, const std::uint8_t* here, const std::uint8_t* below,
                     std::int32_t width, std::int32_t contrast, std::uint8_t* lone) noexcept;
 
-  /// Medians of 4x4 blocks side by side, `count` of them, from these four rows on; the upper one of the two in
-  /// the middle.
+  /// Medians of 4x4 blocks side by side, `count` of them, from these four rows on; the upper one of the two
+  /// in the middle.
   void (*block_medians)(const std::uint8_t* const* rows, std::int32_t count, std::uint8_t* medians) noexcept;
 };
 

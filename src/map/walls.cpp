@@ -44,7 +44,8 @@ double wall_width(GrayView picture, const WallLine& a, Span stretch, double dist
   const double reach = 0.5 * distance + 2.5;
   double sum = 0;
   int rows = 0;
-  for (double s = stretch.begin; s <= stretch.end; s += 2 * place_step(stretch.length())) {
+  const double way = place_step(stretch.length());
+  for (double s = stretch.begin + 0.5 * way; s < stretch.end; s += way) {
     const double x = a.x_at(s), y = a.y_at(s);
     for (double depth = -reach - 0.5 * distance; depth <= reach - 0.5 * distance; depth += step)
       sum += 255 - sample(picture, x + depth * a.nx, y + depth * a.ny);

@@ -73,7 +73,8 @@ TEST_CASE("the four edges of a box are found by every method, each once") {
     EdgeRoom room;
     std::vector<WallLine> lines;
     LineMapReport report;
-    REQUIRE(find_edges(scene.mask, scene.field(), options, best_kernels(), room, lines, report) == Status::ok);
+    REQUIRE(find_edges(scene.mask, scene.field(), options, best_kernels(), room, lines, report) ==
+            Status::ok);
     CHECK(scene.mask == before);
     CHECK(lines.size() == 4);
     CHECK(report.edges == lines.size());

@@ -34,6 +34,7 @@ struct LineMapOptions {
   double max_gap = 10;          ///< pixels, 0..1e6; a hole in a wall up to this long is bridged
   double max_wall_width = 3.6;  ///< pixels, 0..50; thinner walls become one axis, thicker keep both faces
   double furniture_size = 26;   ///< pixels, 0..1e6; solid things that stand alone and fit in are dropped
+  bool refine = true;           ///< false: the edges of the first round as they are, in a fifth of the time
   std::optional<RosMeaning> meaning;  ///< a ROS map's thresholds decide what is wall
 };
 
@@ -81,6 +82,10 @@ struct LineMapResult {
 /// 10. The map's frame, normal form and covariance.
 /// Steps 4 to 6 and the furniture of step 7 are for maps alone.
 ///
+/// Without `refine`: edges by Canny of the picture as given, one round of the Hough transform, and each of
+/// its segments is a line, from end to end, of a photo. Ends are whole pixels, walls have both faces, and an
+/// edge may come in pieces or twice.
+///
 /// Failures: bad_content (no pixels), bad_option (out of range, or a picture too large for the Hough
 /// transform: sides up to 32767). Time proportional to the pixels plus the lines; memory about 25 bytes a
 /// pixel. Nothing depends on the kernels but the time.
@@ -100,6 +105,8 @@ class LineMapBuilder {
 
  private:
   struct Room;
+  Result<LineMapResult> build_coarse(GrayView gray);
+
   LineMapOptions options_;
   KernelSet kernels_;
   std::unique_ptr<Room> room_;
