@@ -39,6 +39,7 @@ void use_threads(int threads) {
 void print_threads(int rounds) {
   use_threads(-1);
   for (const straightedge::Size size : sizes) compare::print_threaded_edge_rows(size, fewer(size, rounds));
+  compare::print_threaded_sequence_rows(rounds);
   compare::print_threaded_plane_rows(rounds);
 }
 

@@ -18,8 +18,9 @@ void print_all_planes_rows(int rounds);
 /// Building an octree of the readings of a frame, and nearest points in it.
 void print_octree_rows(int rounds);
 
-/// By the clock, each library with the threads that it takes by itself.
+/// By the clock, each library with the threads that it takes by itself; and ours beside ours with one.
 void print_threaded_edge_rows(straightedge::Size size, int rounds);
+void print_threaded_sequence_rows(int rounds);
 void print_threaded_plane_rows(int rounds);
 
 }  // namespace compare

@@ -38,17 +38,19 @@ CannyEdges run_once(GrayView gray, const CannyOptions& options, std::string_view
 /// Thinner stripes would spend their time on the rows that they share with their neighbours.
 constexpr std::int32_t least_rows = 32;
 
+unsigned stripes(const GrayView& gray, unsigned threads) {
+  return std::min(threads, static_cast<unsigned>(std::max<std::int32_t>(gray.height / least_rows, 1)));
+}
+
 }  // namespace
 
-CannyEdges canny(GrayView gray, const CannyOptions& options, const KernelSet& kernels, unsigned threads) {
+CannyEdges canny(GrayView gray, const CannyOptions& options, const KernelSet& kernels, ThreadPool& pool) {
   CannyEdges found;
   found.result.status = gray.valid() ? Canny::check(gray.size(), options) : Status::invalid_image;
   if (found.result.status != Status::ok) return found;
-  const auto most = static_cast<unsigned>(std::max<std::int32_t>(gray.height / least_rows, 1));
-  const unsigned stripes = std::min(threads == 0 ? processors() : threads, most);
-  const CannyRowOptions rows{.kernels = kernels.canny_rows, .stripes = static_cast<std::int32_t>(stripes)};
+  const CannyRowOptions rows{.kernels = kernels.canny_rows,
+                             .stripes = static_cast<std::int32_t>(stripes(gray, pool.threads()))};
   if (FusedCanny::workspace_bytes(gray.size(), options, rows) > 0) {
-    ThreadPool pool(stripes);
     const auto for_each = [&](std::int32_t count, auto work) {
       pool.for_each_index(static_cast<std::size_t>(count),
                           [&](std::size_t i, unsigned) { work(static_cast<std::int32_t>(i)); });
@@ -60,6 +62,11 @@ CannyEdges canny(GrayView gray, const CannyOptions& options, const KernelSet& ke
   }
   const auto run = [&](Canny& detector, ImageView<std::uint8_t> edges) { return detector.run(gray, edges); };
   return run_once<Canny>(gray, options, "plain", run);
+}
+
+CannyEdges canny(GrayView gray, const CannyOptions& options, const KernelSet& kernels, unsigned threads) {
+  ThreadPool pool(gray.valid() ? stripes(gray, threads == 0 ? processors() : threads) : 1);
+  return canny(gray, options, kernels, pool);
 }
 
 }  // namespace straightedge

@@ -56,15 +56,16 @@ struct ThreadPool::Team {
   std::mutex mutex;
   std::condition_variable begins, ends;
   Job* job = nullptr;  // null: nothing that one could still join
-  std::uint64_t jobs = 0;
-  unsigned busy = 0;
-  bool over = false;
+  std::atomic<std::uint64_t> jobs = 0;
+  std::atomic<unsigned> busy = 0;
+  std::atomic<bool> over = false;
   std::vector<std::thread> threads;
 
   void serve(unsigned thread) {
     std::uint64_t seen = 0;
-    std::unique_lock lock(mutex);
     for (;;) {
+      look_for([&] { return jobs.load(std::memory_order_relaxed) != seen || over; });
+      std::unique_lock lock(mutex);
       begins.wait(lock, [&] { return over || (job != nullptr && jobs != seen); });
       if (over) return;
       seen = jobs;
@@ -86,9 +87,29 @@ struct ThreadPool::Team {
 
   // A thread that wakes too late is not waited for.
   void close() {
+    {
+      const std::lock_guard lock(mutex);
+      job = nullptr;
+    }
+    look_for([this] { return busy.load(std::memory_order_relaxed) == 0; });
     std::unique_lock lock(mutex);
-    job = nullptr;
     ends.wait(lock, [this] { return busy == 0; });
+  }
+
+ private:
+  // A tenth of a millisecond before a thread goes to sleep: to wake it takes as long as a stripe of a small picture,
+  // and work that comes in steps has the next one ready at once.
+  template <class Done>
+  static void look_for(Done done) {
+    constexpr int times = 5000;
+    for (int i = 0; i < times && !done(); ++i) rest_a_little();
+  }
+  static void rest_a_little() {
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#elif defined(__aarch64__)
+    __asm__ volatile("yield");
+#endif
   }
 };
 

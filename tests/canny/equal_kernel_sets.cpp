@@ -134,9 +134,11 @@ TEST_CASE("the one call gives what Canny gives, automatic thresholds too") {
 
 TEST_CASE("the one call gives the same with any number of threads") {
   Pcg32 random(5, 62);
+  ThreadPool pool(3);
   for (const Size size : {Size{1, 1}, Size{9, 31}, Size{64, 64}, Size{131, 333}}) {
     const GrayImage gray = support::random_scene(size, random, 12);
     const CannyEdges expected = canny(gray.view());
+    CHECK(canny(gray.view(), {}, best_kernels(), pool).edges == expected.edges);
     for (const unsigned threads : {0U, 2U, 3U, 8U, 1000U}) {
       const CannyEdges found = canny(gray.view(), {}, best_kernels(), threads);
       CAPTURE(size.width, size.height, threads);

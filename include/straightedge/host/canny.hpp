@@ -8,6 +8,7 @@
 #include "straightedge/canny.hpp"
 #include "straightedge/host/image.hpp"
 #include "straightedge/host/kernels.hpp"
+#include "straightedge/host/parallel.hpp"
 
 namespace straightedge {
 
@@ -23,6 +24,10 @@ struct CannyEdges {
 /// `threads`: how many may work at once on stripes of the picture, 0 for one on each processor. The edges are
 /// the same for any number.
 /// For a stream of images of one size, keep a `FusedCanny` and its workspace instead.
-CannyEdges canny(GrayView gray, const CannyOptions& options = {}, const KernelSet& kernels = best_kernels(), unsigned threads = 1);
+CannyEdges canny(GrayView gray, const CannyOptions& options = {}, const KernelSet& kernels = best_kernels(),
+                 unsigned threads = 1);
+
+/// The same with threads that are there already: to start one takes as long as the edges of a small picture.
+CannyEdges canny(GrayView gray, const CannyOptions& options, const KernelSet& kernels, ThreadPool& pool);
 
 }  // namespace straightedge
