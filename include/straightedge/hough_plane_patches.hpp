@@ -8,7 +8,6 @@
 #include <span>
 
 #include "straightedge/arena.hpp"
-#include "straightedge/depth_cells.hpp"
 #include "straightedge/depth_view.hpp"
 #include "straightedge/frame_planes_search.hpp"
 #include "straightedge/hough_plane_patch.hpp"
@@ -111,10 +110,6 @@ class HoughPatchSearch {
                        ImageView<const std::uint16_t> mask, std::span<ProposedPlane> candidates,
                        HoughPlaneTrace trace = {}) noexcept;
 
-  /// Sums over cells that are made of every picture before it is searched, such as those of FramePlanes: step
-  /// 1 takes them where nothing is masked, if they are of this size and have cells of 8 pixels. Null: none.
-  void share_sums(const DepthCells* cells) noexcept { cells_ = cells; }
-
   // What the last `run` left behind.
 
   std::span<const HoughPatch> patches() const noexcept { return memory_.patches.first(patches_); }
@@ -130,13 +125,10 @@ class HoughPatchSearch {
   Size size_;
   HoughPatchOptions options_;
   detail::HoughPatchMemory memory_;
-  const DepthCells* cells_ = nullptr;
   std::size_t patches_ = 0;
 };
 
 /// As FramePlanes takes it. `search` must outlive what is returned.
 PlaneSearch plane_search(HoughPatchSearch& search) noexcept;
-/// The same, which does without sums of its own: `cells` are those of the FramePlanes that will run it.
-PlaneSearch plane_search(HoughPatchSearch& search, const DepthCells& cells) noexcept;
 
 }  // namespace straightedge

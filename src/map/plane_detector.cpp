@@ -83,7 +83,7 @@ Result<Done> PlaneDetector::detect(const DepthView& depth, DetectedPlanes& resul
     result.labels = Image<std::uint16_t>::for_overwrite(depth.raw.size());
   result.planes.resize(options_.frame.max_planes);
   const bool ransac = options_.method == PlaneMethod::ransac;
-  const PlaneSearch search = ransac ? plane_search(*ransac_) : plane_search(*hough_, frame_->cells());
+  const PlaneSearch search = ransac ? plane_search(*ransac_) : plane_search(*hough_);
   const Status status = frame_->run(depth, search, result.labels.view(), result.planes, result.found);
   if (status != Status::ok) return refused(status);
   if (ransac) result.found.seed = options_.ransac.seed;

@@ -146,38 +146,6 @@ TEST_CASE("patches: none is smaller than the smallest that is wanted") {
   }
 }
 
-TEST_CASE("patches: sums that others have made do as well as its own") {
-  const Image<float> picture = test::room({wall, floor_face, box});
-  const Size size = picture.size();
-  Found own = find(picture);
-  for (const int finest : {0, 1, 2}) {
-    std::vector<std::byte> memory(std::size_t{4} << 20);
-    Arena arena(memory);
-    DepthCells cells;
-    cells.take(arena, size, finest);
-    REQUIRE_FALSE(arena.failed());
-    cells.build(picture);
-    // What lies there is what counts: with cells that hold nothing nothing is found, unless there is none of
-    // the size that is needed, or something is masked.
-    const auto count = [&](ImageView<const std::uint16_t> mask) {
-      own.candidates.resize(64);
-      own.search->share_sums(&cells);
-      own.result = own.search->run(picture, test::camera_for(size), mask, own.candidates);
-      own.candidates.resize(own.result.candidates);
-      return own.candidates.size();
-    };
-    REQUIRE(count({}) == 3);
-    CHECK(own.result.readings == 320 * 240);
-    CHECK(has(own, wall.plane, 0.01, 0.01));
-    CHECK(has(own, floor_face.plane, 0.01, 0.01));
-    CHECK(has(own, box.plane, 0.02, 0.01));
-    cells.build(Image<float>(size, 0.0F));
-    CHECK(count({}) == (finest < 2 ? 0 : 3));
-    const Image<std::uint16_t> free(size, std::uint16_t{0});
-    CHECK(count(free.view()) == 3);
-  }
-}
-
 TEST_CASE("patches: options that are no numbers or out of range are refused") {
   const auto refused = [](auto member, auto value) {
     HoughPatchOptions options;

@@ -70,7 +70,10 @@ Status run_cells(CallerMemory& memory) {
   if (arena.failed()) return Status::workspace_too_small;
   cells.build(memory.input(inverse_depth()));
   for (int level = 0; level < DepthCells::levels; ++level) {
-    for (const InverseDepthMoments& m : cells.level(level)) memory.say({m.n, m.u, m.vv, m.uq, m.qq});
+    for (std::size_t i = 0; i < DepthCells::cell_count(cells.size(level)); ++i) {
+      const InverseDepthMoments m = cells.moments(level, i);
+      memory.say({m.n, m.u, m.vv, m.uq, m.qq});
+    }
   }
   return Status::ok;
 }

@@ -40,31 +40,10 @@ Status check(Size size, const DepthInput& input, const PinholeCamera& camera) no
   return fits ? Status::ok : Status::size_mismatch;
 }
 
-/// The sums of a cell, whether cells keep them or what they follow from.
-template <class Cells>
-InverseDepthMoments moments_of(const Cells& cells, int level, std::size_t place) noexcept {
-  if constexpr (requires { cells.moments(level, place); }) {
-    return cells.moments(level, place);
-  } else {
-    return cells.level(level)[place];
-  }
-}
-
-/// Step 1 by what somebody else has summed up. False: not of this picture, or not of squares of 8 pixels.
-bool take_sums(const DepthCells* cells, const DepthInput& input, detail::HoughPatchMemory& memory) noexcept {
-  // A square of 8 pixels is a cell of level 1.
-  static_assert(DepthCells::side_of(1) == hough_patch_side);
-  if (cells == nullptr || input.mask.data != nullptr || cells->finest() > 1) return false;
-  if (cells->size(1) != DepthCells::size_of(input.inverse_depth.size(), 1)) return false;
-  std::size_t place = 0;
-  for (InverseDepthMoments& square : memory.levels[0]) square = moments_of(*cells, 1, place++);
-  return true;
-}
-
 /// Step 1.
 hough::PatchLevels sum_levels(const DepthInput& input, const HoughPatchOptions& options,
-                              const DepthCells* cells, detail::HoughPatchMemory& memory) noexcept {
-  if (!take_sums(cells, input, memory)) hough::sum_cells(input, *options.kernels, memory.levels[0]);
+                              detail::HoughPatchMemory& memory) noexcept {
+  hough::sum_cells(input, *options.kernels, memory.levels[0]);
   std::int32_t side = hough_patch_side;
   for (std::size_t level = 1; 2 * side <= options.largest_patch; ++level) {
     const Size squares{(input.inverse_depth.width + side - 1) / side,
@@ -205,7 +184,7 @@ HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, con
                          memory_.accumulator.directions().cell_size(),
                          options_.max_distance_m / options_.accumulator.distances};
   // Step 1.
-  const hough::PatchLevels levels = sum_levels(input, options_, cells_, memory_);
+  const hough::PatchLevels levels = sum_levels(input, options_, memory_);
   result.readings = count_readings(levels[0]);
   // Step 2.
   const std::span<HoughPatch> patches = cut(scene, levels, memory_);
@@ -239,11 +218,6 @@ PlaneSearch plane_search(HoughPatchSearch& search) noexcept {
             count = result.candidates;
             return result.status;
           }};
-}
-
-PlaneSearch plane_search(HoughPatchSearch& search, const DepthCells& cells) noexcept {
-  search.share_sums(&cells);
-  return plane_search(search);
 }
 
 }  // namespace straightedge
