@@ -220,6 +220,31 @@ TEST_CASE("every set of kernels weighs readings as the plain one", "[ransac]") {
   }
 }
 
+TEST_CASE("every set of kernels takes the readings of a row, at any step", "[ransac]") {
+  const float odd[] = {
+      0, -1, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 1e6F, 1.1e6F};
+  for (const KernelSet& set : kernel_sets()) {
+    CAPTURE(std::string(set.name));
+    Pcg32 random(7, 3);
+    std::vector<float> row(1000);
+    for (float& x : row) {
+      const std::uint32_t kind = random.below(12);
+      x = kind < 6 ? odd[kind] : 0.01F * static_cast<float>(1 + random.below(500));
+    }
+    for (std::int32_t step = 1; step <= 9; ++step) {
+      for (std::int32_t count = 0; count <= 100; ++count) {
+        std::vector<float> q(101, 4711);
+        set.plane_search->take_readings(row.data() + 3, step, count, none, q.data());
+        for (std::int32_t i = 0; i < count; ++i) {
+          const float x = row[static_cast<std::size_t>(3 + i * step)];
+          REQUIRE(q[static_cast<std::size_t>(i)] == (x > 0 && x <= 1e6F ? x : none));
+        }
+        REQUIRE(q[static_cast<std::size_t>(count)] == 4711);
+      }
+    }
+  }
+}
+
 TEST_CASE("every set of kernels finds the same candidates, and the one asked for runs", "[ransac]") {
   Pcg32 random(21);
   const scene::Frame frame = scene::render(scene::room_by_chance(random), scene::sigma, 0.2, random);
