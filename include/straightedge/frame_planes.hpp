@@ -45,7 +45,7 @@ class PlaneSurfaces;
 /// doi:10.1109/34.506791. Moments in cells: P. Proença, Y. Gao, "Fast cylinder and plane extraction from
 /// depth cameras for visual odometry", IROS 2018, doi:10.1109/IROS.2018.8593683.
 ///
-/// Linear in pixels, and in cells times planes for cells that no plane around fits. Memory: about 12 bytes a
+/// Linear in pixels, and in cells times planes for cells that no plane around fits. Memory: about 8 bytes a
 /// pixel. A frame without readings has no planes.
 class FramePlanes {
  public:

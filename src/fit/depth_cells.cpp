@@ -170,7 +170,8 @@ void DepthCells::sum_up(const DepthKernels& kernels) noexcept {
   for (int fine = finest_; fine + 1 < levels; ++fine) {
     const Size from = size(fine), to = size(fine + 1);
     for (std::int32_t y = 0; y < to.height; ++y) {
-      const std::int32_t down = std::min<std::int32_t>(2, from.height - 2 * y), whole = down == 2 ? from.width / 2 : 0;
+      const std::int32_t down = std::min<std::int32_t>(2, from.height - 2 * y),
+                         whole = down == 2 ? from.width / 2 : 0;
       kernels.join_cells(rows(fine, place_of(from, 0, 2 * y)), from.width, whole,
                          rows(fine + 1, place_of(to, 0, y)));
       for (std::int32_t x = whole; x < to.width; ++x) {

@@ -21,7 +21,7 @@ void mark_row(const SearchReadings& row, std::int32_t count, const SearchPlane& 
 }
 
 float reading_or(float x, float none) noexcept {
-  return (x > 0) & (x <= 1e6F) ? x : none;
+  return ((x > 0) & (x <= 1e6F)) ? x : none;
 }
 
 /// With a step that is known loads are shuffles.

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "base/lanes.hpp"
+#include "depth_cell_kernels.hpp"
+
+namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
+namespace {
+
+struct CellLanes {
+  Lanes n, u, v, q, uu, uv, vv, uq, vq, qq;
+
+  explicit CellLanes(const float* first, std::ptrdiff_t apart) noexcept
+      : n(load(first)),
+        u(load(first + apart)),
+        v(load(first + 2 * apart)),
+        q(load(first + 3 * apart)),
+        uu(load(first + 4 * apart)),
+        uv(load(first + 5 * apart)),
+        vv(load(first + 6 * apart)),
+        uq(load(first + 7 * apart)),
+        vq(load(first + 8 * apart)),
+        qq(load(first + 9 * apart)) {}
+
+  /// Residual of the means from surface k.
+  Lanes off(const DepthSurfaces& s, std::int32_t k) const noexcept {
+    const Lanes bend = (s.xx[k] * (u * u) + s.xy[k] * (u * v)) + s.yy[k] * (v * v);
+    return q - (((s.c[k] + s.x[k] * u) + s.y[k] * v) + bend);
+  }
+  /// Squared residuals of all readings from surface k.
+  Lanes squares(const DepthSurfaces& s, std::int32_t k) const noexcept {
+    const Lanes a = (s.x[k] + (2 * s.xx[k]) * u) + s.xy[k] * v;
+    const Lanes b = (s.y[k] + s.xy[k] * u) + (2 * s.yy[k]) * v;
+    const Lanes r = off(s, k), none = all(0);
+    const Lanes mixed = a * uq + b * vq;
+    const Lanes square = a * (a * uu + (b + b) * uv) + (b * b) * vv;
+    const Lanes sum = n * (r * r) + ((qq - (mixed + mixed)) + square);
+    return sum < none ? none : sum;
+  }
+};
+
+/// 1 where a bit is set, else 0.
+Lanes marks_of(std::uint32_t bits, std::int32_t first) noexcept {
+  float marks[lanes];
+  for (std::int32_t i = 0; i < lanes; ++i) {
+    marks[i] =
+        static_cast<float>(static_cast<std::int32_t>(bits >> static_cast<std::uint32_t>(first + i) & 1U));
+  }
+  return load(marks);
+}
+
+struct Best {
+  Lanes squares, label;
+
+  void offer(const Lanes& found, const Lanes& mark, std::int32_t plane) noexcept {
+    const auto better = (found < squares) & (mark > all(0));
+    squares = better ? found : squares;
+    label = better ? all(static_cast<float>(plane + 1)) : label;
+  }
+};
+
+bool any(const Lanes& marks) noexcept {
+  float each[lanes], sum = 0;
+  store(each, marks);
+  for (std::int32_t i = 0; i < lanes; ++i) sum += each[i];
+  return sum > 0;
+}
+
+/// Worth a question where a cell comes alone.
+bool is_far([[maybe_unused]] const Lanes& off, [[maybe_unused]] const Lanes& limit) noexcept {
+#if STRAIGHTEDGE_LANES == 1
+  return off * off > limit;
+#else
+  return false;
+#endif
+}
+
+/// What some of the sixteen cells take.
+void choose_some(const DepthCellTask& task, const DepthSurfaces& s, std::int32_t first,
+                 DepthCellPlanes& planes) noexcept {
+  const Lanes none = all(0), one = all(1), zero_noise = all(task.noise);
+  const CellLanes cell(task.at.first + first, task.at.apart);
+  const Lanes of_square = task.noise_of_square * (cell.q * cell.q);
+  const Lanes noise = of_square > zero_noise ? of_square : zero_noise;
+  const Lanes variance = noise * noise, unit = cell.n * variance;
+  const Lanes open = cell.n >= all(task.least) ? marks_of(task.open, first) : none;
+  Best best{all(1e30F), none};
+  for (std::int32_t i = 0; i < task.asked; ++i) {
+    const std::uint32_t some = (task.of[i] >> static_cast<std::uint32_t>(first)) & ((1U << lanes) - 1U);
+    if (some == 0) continue;
+    best.offer(cell.squares(s, task.plane[i]), marks_of(task.of[i], first), task.plane[i]);
+  }
+  const auto pure = (best.squares < task.pure_of_asked * unit) | (marks_of(task.given, first) > none);
+  const Lanes left = pure ? none : open;
+  if (any(left)) {
+    // The squares are at least those of the means: a plane far from these cannot become a cell's.
+    const Lanes limit = task.pure * variance;
+    for (std::int32_t k = 0; k < task.planes; ++k) {
+      if (is_far(cell.off(s, k), limit)) continue;
+      best.offer(cell.squares(s, k), left, k);
+    }
+    const auto fits = (best.squares < task.pure * unit) | (left < one);
+    best.label = fits ? best.label : none;
+  }
+  best.label = open > none ? best.label : none;
+  const Lanes mean = best.squares / (unit > none ? unit : one);
+  float labels[lanes];
+  store(labels, best.label);
+  for (std::int32_t i = 0; i < lanes; ++i) planes.label[first + i] = static_cast<std::uint16_t>(labels[i]);
+  store(planes.mean + first, mean);
+}
+
+}  // namespace
+
+void choose_planes(const DepthCellTask& task, const DepthSurfaces& surfaces,
+                   DepthCellPlanes& planes) noexcept {
+  for (std::int32_t first = 0; first < DepthCellTask::cells; first += lanes) {
+    if ((task.open >> static_cast<std::uint32_t>(first) & ((1U << lanes) - 1U)) == 0) {
+      for (std::int32_t i = 0; i < lanes; ++i) {
+        planes.label[first + i] = 0;
+        planes.mean[first + i] = 0;
+      }
+      continue;
+    }
+    choose_some(task, surfaces, first, planes);
+  }
+}
+
+}  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
