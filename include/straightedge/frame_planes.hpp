@@ -36,8 +36,7 @@ class PlaneSurfaces;
 ///     is a strip of something round: it leaves with its cells.
 ///  6. Steps 2 to 5 again on what is left over, if a plane may be in it.
 ///  7. Steps 3 to 5 again if planes have left. Pixels: where all cells around agree, a pixel is its plane's
-///  if
-///     it lies within the gate; elsewhere it goes to the nearest of the planes around, judged by the mean
+///     if it lies within the gate; elsewhere it goes to the nearest of the planes around, judged by the mean
 ///     over its own surface's 3x3 pixels.
 ///  8. Last fit to all pixels of each label; planes with too few leave; largest first.
 ///
@@ -94,8 +93,7 @@ class FramePlanes {
     }
     const std::size_t small_cells = DepthCells::cell_count(DepthCells::size_of(size, finest));
     visited_ = arena.take<std::uint16_t>(small_cells);
-    list_ = arena.take<std::int32_t>(small_cells +
-                                     static_cast<std::size_t>(DepthCells::size_of(size, finest).height));
+    list_ = arena.take<std::int32_t>(small_cells + std::size_t(DepthCells::size_of(size, finest).height));
     candidates_ = arena.take<ProposedPlane>(options.max_planes);
     surfaces_ = arena.take<detail::BentPlane>(options.max_planes);
     squares_ = arena.take<double>(options.max_planes);
