@@ -12,8 +12,8 @@ constexpr double end_weight = 3;
 
 /// Where the picture gets lighter at the segment's ends, along a normal.
 double towards_light(const HoughSegment& s, GradientView gradients, double nx, double ny) {
-  const double dx = double{gradients.dx.at(s.x0, s.y0)} + gradients.dx.at(s.x1, s.y1);
-  const double dy = double{gradients.dy.at(s.x0, s.y0)} + gradients.dy.at(s.x1, s.y1);
+  const double dx = gradients.dx.at(s.x0, s.y0) + gradients.dx.at(s.x1, s.y1);
+  const double dy = gradients.dy.at(s.x0, s.y0) + gradients.dy.at(s.x1, s.y1);
   return dx * nx + dy * ny;
 }
 

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "draw_plan.hpp"
+
+using namespace straightedge;
+
+namespace {
+
+Image<std::uint8_t> plan_of(Size size, double thickness) {
+  support::Canvas canvas(size, 254);
+  canvas.paint_bar({30, 30}, {150, 30}, thickness);
+  canvas.paint_bar({30, 90}, {150, 100}, thickness);
+  return canvas.picture();
+}
+
+std::string text_of(const LineMap& map) {
+  const auto text = line_map_to_xml(map);
+  REQUIRE(text);
+  return *text;
+}
+
+}  // namespace
+
+TEST_CASE("a builder used again and again gives the maps of a new one") {
+  for (const bool refine : {true, false}) {
+    LineMapOptions options;
+    options.refine = refine;
+    LineMapBuilder builder(options);
+    for (const Size size : {Size{180, 120}, Size{200, 160}, Size{180, 120}}) {
+      for (const double thickness : {2.0, 8.0}) {
+        const auto picture = plan_of(size, thickness);
+        const auto again = builder.build(picture);
+        const auto fresh = build_line_map(picture, options);
+        REQUIRE(again);
+        REQUIRE(fresh);
+        CHECK(!again->map.lines.empty());
+        CHECK(text_of(again->map) == text_of(fresh->map));
+      }
+    }
+  }
+}
+
+TEST_CASE("without refinement every line is an edge of the picture, to about a pixel") {
+  const auto built = build_line_map(plan_of({180, 120}, 8), {.refine = false});
+  REQUIRE(built);
+  CHECK(built->report.rounds == 1);
+  CHECK(built->report.candidates == built->report.lines + built->report.too_short);
+  double found = 0;
+  for (const MapLine& line : built->map.lines) {
+    REQUIRE(line.segments.size() == 1);
+    const MapSegment& s = line.segments.front();
+    const double length = std::hypot(s.x1 - s.x0, s.y1 - s.y0);
+    if (length < 60) continue;
+    found += length;
+    // Both bars are 8 thick; their axes in the map's frame: y = 30, and from (-60, -30) to (60, -40).
+    const double x = 0.5 * (s.x0 + s.x1), y = 0.5 * (s.y0 + s.y1);
+    const double off = y > 0 ? std::fabs(y - 30) : std::fabs(y + 35 + x / 12) * std::cos(std::atan(1.0 / 12));
+    CHECK(off == Approx(4).margin(1.2));
+    CHECK(line.covariance->var_offset > 0.1);
+  }
+  CHECK(found > 4 * 100);
+}
+
+TEST_CASE("bad options and pictures without pixels are refused without refinement, too") {
+  CHECK(!build_line_map({}, {.refine = false}));
+  LineMapOptions options{.refine = false};
+  options.hough.threshold = 0;
+  const auto built = build_line_map(plan_of({180, 120}, 8), options);
+  REQUIRE(!built);
+  CHECK(built.failure().problem == Problem::bad_option);
+}
