@@ -46,8 +46,8 @@ TEST_CASE("the kernels that understand pictures give the same numbers in every s
     }
     GrainCount grain;
     plain_picture_row_kernels.count_grain(rows[0].data(), width, grain);
-    const bool any = plain_picture_row_kernels.find_lone(rows[0].data(), rows[1].data(), rows[2].data(), width,
-                                                         80, lone.data());
+    const bool any = plain_picture_row_kernels.find_lone(rows[0].data(), rows[1].data(), rows[2].data(),
+                                                         width, 80, lone.data());
     for (const KernelSet& set : kernel_sets()) {
       CAPTURE(set.name);
       const PictureRowKernels& kernels = *set.picture_rows;
@@ -66,7 +66,8 @@ TEST_CASE("the kernels that understand pictures give the same numbers in every s
       kernels.block_medians(four, width / 4, medians.data());
       for (std::size_t i = 0; i < medians.size(); ++i) {
         Row block;
-        for (const Row& row : rows) block.insert(block.end(), &row[4 * i], &row[4 * i] + 4);
+        for (const Row& row : rows)
+          for (std::size_t c = 0; c < 4; ++c) block.push_back(row[4 * i + c]);
         std::sort(block.begin(), block.end());
         REQUIRE(medians[i] == block[8]);
       }
