@@ -52,9 +52,9 @@ TEST_CASE("help and version are data") {
 }
 
 TEST_CASE("every option is in the help with its unit and default") {
-  const std::set<std::string> flags = {"--help",  "--quiet",  "--json",   "--version",
-                                       "--l2",    "--metres", "--negate", "--auto-thresholds",
-                                       "--strict"};
+  const std::set<std::string> flags = {"--help",   "--quiet",  "--json",   "--version",
+                                       "--l2",     "--metres", "--negate", "--auto-thresholds",
+                                       "--strict", "--fast"};
   const std::set<std::string> without_default = {
       "--output",      "--svg",     "--png",           "--csv",    "--name",
       "--description", "--created", "--labels",        "--ply",    "--ply-polygons",
