@@ -67,10 +67,22 @@ std::string number(double value) {
 void print_jobs(const Run& run) {
   constexpr Size vga{640, 480}, full_hd{1920, 1080};
   constexpr int points = 5;
-  const Job jobs[] = {canny_job(vga),       canny_job(full_hd),      hough_job(vga),
-                      hough_job(full_hd),   line_map_job(vga),       line_map_job(full_hd),
-                      first_plane_job(vga), ransac_planes_job(vga),  hough_planes_job(vga),
-                      register_job(vga),    cloud_plane_job(points), octree_job(points),
+  const Job jobs[] = {canny_job(vga),
+                      canny_job(full_hd),
+                      hough_job(vga),
+                      hough_job(full_hd),
+                      line_map_job(vga),
+                      line_map_job(full_hd),
+                      fast_line_map_job(vga),
+                      fast_line_map_job(full_hd),
+                      first_plane_job(vga),
+                      ransac_planes_job(vga),
+                      hough_planes_job(vga),
+                      large_ransac_planes_job(vga),
+                      large_hough_planes_job(vga),
+                      register_job(vga),
+                      cloud_plane_job(points),
+                      octree_job(points),
                       nearest_job(points)};
   constexpr const char* names[] = {"plain", "sse2", "avx2", "avx512"};
   std::printf("table jobs\n| job | size | plain, ms | sse2, ms | avx2, ms | avx512, ms |\n");

@@ -25,32 +25,31 @@ Call prepare_first_plane(Size size, const KernelSet& set) {
   return [w] { need(w->first.run(w->frame.depth()).found.planes == 1, "no plane"); };
 }
 
+PlaneDetectorOptions by_hough() {
+  PlaneDetectorOptions options;
+  options.method = PlaneMethod::hough;
+  return options;
+}
+
 struct Detection {
   DepthFrame frame;
   PlaneDetector detector;
+  DetectedPlanes found;
 
-  DetectedPlanes detect() {
-    auto found = detector.detect(frame.depth());
-    need(found && !found->planes.empty(), "no planes");
-    return std::move(*found);
+  void detect() {
+    need(static_cast<bool>(detector.detect(frame.depth(), found)) && !found.planes.empty(), "no planes");
   }
 };
 
-std::shared_ptr<Detection> detection(Size size, PlaneMethod method, const KernelSet& set) {
-  PlaneDetectorOptions options;
-  options.method = method;
-  const auto create = [](auto&&... a) requires requires {
-    PlaneDetector::create(a...);
-  }
-  { return PlaneDetector::create(a...); };
-  auto made = call_with(set, create, size, options);
+std::shared_ptr<Detection> detection(Size size, const PlaneDetectorOptions& options, const KernelSet& set) {
+  auto made = PlaneDetector::create(size, options, set);
   need(static_cast<bool>(made), "no detector");
-  return std::make_shared<Detection>(Detection{make_depth_frame(size), std::move(*made)});
+  return std::make_shared<Detection>(Detection{make_depth_frame(size), std::move(*made), {}});
 }
 
-Job planes_job(const char* name, Size size, PlaneMethod method) {
+Job planes_job(const char* name, Size size, const PlaneDetectorOptions& options) {
   return {name, text_of(size), pixels_of(size), "pixel", [=](const KernelSet& set) -> Call {
-            auto w = detection(size, method, set);
+            auto w = detection(size, options, set);
             return [w] { w->detect(); };
           }};
 }
@@ -63,27 +62,32 @@ Job first_plane_job(Size size) {
 }
 
 Job ransac_planes_job(Size size) {
-  return planes_job("planes and labels, RANSAC", size, PlaneMethod::ransac);
+  return planes_job("planes and labels, RANSAC", size, {});
 }
 
 Job hough_planes_job(Size size) {
-  return planes_job("planes and labels, Hough", size, PlaneMethod::hough);
+  return planes_job("planes and labels, Hough", size, by_hough());
+}
+
+Job large_ransac_planes_job(Size size) {
+  return planes_job("planes of 5 %, RANSAC", size, for_large_planes({}, size));
+}
+
+Job large_hough_planes_job(Size size) {
+  return planes_job("planes of 5 %, Hough", size, for_large_planes(by_hough(), size));
 }
 
 Job register_job(Size size) {
-  return {
-      "frame into plane map", text_of(size), pixels_of(size), "pixel", [size](const KernelSet& set) -> Call {
-        auto w = detection(size, PlaneMethod::ransac, set);
-        auto found = std::make_shared<DetectedPlanes>(w->detect());
-        return [w, found, set] {
-          const auto make = [](auto&&... a) requires requires {
-            PlaneMapBuilder(a...);
-          }
-          { return PlaneMapBuilder(a...); };
-          PlaneMapBuilder builder = call_with(set, make, PlaneMapOptions());
-          need(static_cast<bool>(builder.add(w->frame.depth(), found->labels, found->planes, {})), "no map");
-        };
-      }};
+  return {"frame into plane map", text_of(size), pixels_of(size), "pixel",
+          [size](const KernelSet& set) -> Call {
+            auto w = detection(size, {}, set);
+            w->detect();
+            return [w, set] {
+              PlaneMapBuilder builder({}, set);
+              need(static_cast<bool>(builder.add(w->frame.depth(), w->found.labels, w->found.planes, {})),
+                   "no map");
+            };
+          }};
 }
 
 }  // namespace bench::speed

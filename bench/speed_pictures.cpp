@@ -29,6 +29,17 @@ struct CannyWork {
   FusedCanny canny;
 };
 
+Job map_job(const char* name, Size size, const LineMapOptions& options) {
+  return {name, text_of(size), pixels_of(size), "pixel", [=](const KernelSet& set) -> Call {
+            auto gray = std::make_shared<Image<std::uint8_t>>(make_picture({Picture::floor_plan, size}));
+            auto builder = std::make_shared<LineMapBuilder>(options, set);
+            return [gray, builder] {
+              const auto made = builder->build(gray->view());
+              need(made && !made->map.lines.empty(), "no line map");
+            };
+          }};
+}
+
 }  // namespace
 
 Job canny_job(Size size) {
@@ -49,18 +60,11 @@ Job hough_job(Size size) {
 }
 
 Job line_map_job(Size size) {
-  return {"picture to line map", text_of(size), pixels_of(size), "pixel",
-          [size](const KernelSet& set) -> Call {
-            auto gray = std::make_shared<Image<std::uint8_t>>(make_picture({Picture::floor_plan, size}));
-            const auto build = [](auto&&... a) requires requires {
-              build_line_map(a...);
-            }
-            { return build_line_map(a...); };
-            return [gray, set, build] {
-              const auto made = call_with(set, build, gray->view(), LineMapOptions());
-              need(made && !made->map.lines.empty(), "no line map");
-            };
-          }};
+  return map_job("picture to line map", size, {});
+}
+
+Job fast_line_map_job(Size size) {
+  return map_job("picture to line map, --fast", size, {.refine = false});
 }
 
 }  // namespace bench::speed

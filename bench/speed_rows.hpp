@@ -30,10 +30,13 @@ struct Job {
 Job canny_job(straightedge::Size size);
 Job hough_job(straightedge::Size size);
 Job line_map_job(straightedge::Size size);
+Job fast_line_map_job(straightedge::Size size);
 // Frames of a depth camera in a room.
 Job first_plane_job(straightedge::Size size);
 Job ransac_planes_job(straightedge::Size size);
 Job hough_planes_job(straightedge::Size size);
+Job large_ransac_planes_job(straightedge::Size size);
+Job large_hough_planes_job(straightedge::Size size);
 Job register_job(straightedge::Size size);
 // The same room as points without order, as many as a power of ten.
 Job cloud_plane_job(int power);

@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 #include "straightedge/depth_view.hpp"
 #include "straightedge/found_planes.hpp"
-#include "straightedge/host/image.hpp"
 #include "straightedge/host/kernels.hpp"
-#include "straightedge/inverse_depth.hpp"
 #include "straightedge/ransac_planes.hpp"
 
-/// The library's calls with the kernels of a set. What a call has no kernels for, it does without.
+/// The library's calls with the kernels of a set.
 namespace bench {
 
 /// Options with those kernels of the set that are theirs: found by type.
@@ -27,16 +25,6 @@ Options with_kernels(Options options, const Set& set) {
   return options;
 }
 
-/// make(arguments..., set), or make(arguments...).
-template <class Set, class Make, class... Arguments>
-auto call_with(const Set& set, Make make, Arguments&&... arguments) {
-  if constexpr (requires { make(std::forward<Arguments>(arguments)..., set); }) {
-    return make(std::forward<Arguments>(arguments)..., set);
-  } else {
-    return make(std::forward<Arguments>(arguments)...);
-  }
-}
-
 /// RANSAC to the first plane, from a frame as the camera gives it or from a cloud.
 class FirstPlane {
  public:
@@ -47,7 +35,7 @@ class FirstPlane {
   }
 
   straightedge::RansacPlanesResult run(const straightedge::DepthView& depth) {
-    return run_frame(ransac_, depth);
+    return ransac_.run(depth, plane_, {});
   }
   straightedge::RansacPlanesResult run(const straightedge::PointsView& cloud) {
     return ransac_.run(cloud, plane_, {});
@@ -57,23 +45,9 @@ class FirstPlane {
   bool prepared() const { return prepared_ == straightedge::Status::ok; }
 
  private:
-  template <class Ransac>
-  straightedge::RansacPlanesResult run_frame(Ransac& ransac, const straightedge::DepthView& depth) {
-    if constexpr (requires { ransac.run(depth, plane_, {}); }) {
-      return ransac.run(depth, plane_, {});
-    } else {
-      if (inverse_depth_.size() != depth.raw.size())
-        inverse_depth_ = straightedge::Image<float>(depth.raw.size());
-      const auto status = straightedge::inverse_depth_image(depth, inverse_depth_.view());
-      if (status != straightedge::Status::ok) return {status, {}};
-      return ransac.run(inverse_depth_.view(), depth.camera, plane_, {});
-    }
-  }
-
   std::vector<std::byte> memory_;
   straightedge::RansacPlanes ransac_;
   straightedge::Status prepared_;
-  straightedge::Image<float> inverse_depth_;
   std::vector<straightedge::FoundPlane> plane_ = std::vector<straightedge::FoundPlane>(1);
 };
 
