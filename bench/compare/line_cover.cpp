@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <opencv2/imgproc.hpp>
 
 namespace compare {
@@ -24,6 +25,14 @@ Cover cover_of(const cv::Mat& marks, const Lines& lines) {
   cv::dilate(drawn, near_lines, square);
   cv::dilate(marks, near_marks, square);
   return {share(near_lines, marks), share(near_marks, drawn)};
+}
+
+std::string in_words(const Cover& ours, const Cover& theirs, const std::string& marks) {
+  char text[160];
+  std::snprintf(text, sizeof(text), "%.1f %% of %s, %.1f %% on %s; peer %.1f %%, %.1f %%",
+                100 * ours.of_marks, marks.c_str(), 100 * ours.of_lines, marks.c_str(), 100 * theirs.of_marks,
+                100 * theirs.of_lines);
+  return text;
 }
 
 Lines ours_as_lines(const std::vector<straightedge::HoughSegment>& segments, std::uint32_t count) {

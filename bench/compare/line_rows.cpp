@@ -102,12 +102,20 @@ void print_window_rows(Size size, int rounds) {
       found = lines.run(scene.edges, {scene.canny.gradient_x(), scene.canny.gradient_y()}, {}, ours);
     };
     const auto run_theirs = [&] { opencv_lines(edges, wall_options, theirs); };
+    Cover our_cover, their_cover;
     const auto agree = [&] {
+      our_cover = cover_of(edges, ours_as_lines(ours, found.segments));
+      their_cover = cover_of(edges, theirs);
       const bool fine = scene.ready && prepared == Status::ok && found.status == Status::ok;
-      return fine && cover_of(edges, ours_as_lines(ours, found.segments)).as_good_as(cover_of(edges, theirs));
+      return fine && our_cover.as_good_as(their_cover);
     };
-    print_row({"progressive Hough, gradient window, floor plan", text_of(size), std::string(kernels.name),
-               run_ours, run_theirs, agree},
+    print_row({.name = "progressive Hough, gradient window, floor plan",
+               .size = text_of(size),
+               .kernels = std::string(kernels.name),
+               .ours = run_ours,
+               .theirs = run_theirs,
+               .agree = agree,
+               .answers = [&] { return in_words(our_cover, their_cover, "edges"); }},
               rounds);
   }
 }
@@ -132,8 +140,20 @@ void print_map_rows(const char* name, const LineMapOptions& options, Size size, 
       cv::Canny(blurred, edges, 50, 150);
       opencv_lines(edges, wall_options, theirs);
     };
-    const auto agree = [&] { return cover_of(walls, ours).as_good_as(cover_of(walls, theirs)); };
-    print_row({name, text_of(size), std::string(kernels.name), run_ours, run_theirs, agree}, rounds);
+    Cover our_cover, their_cover;
+    const auto agree = [&] {
+      our_cover = cover_of(walls, ours);
+      their_cover = cover_of(walls, theirs);
+      return our_cover.as_good_as(their_cover);
+    };
+    print_row({.name = name,
+               .size = text_of(size),
+               .kernels = std::string(kernels.name),
+               .ours = run_ours,
+               .theirs = run_theirs,
+               .agree = agree,
+               .answers = [&] { return in_words(our_cover, their_cover, "walls"); }},
+              rounds);
   }
 }
 
