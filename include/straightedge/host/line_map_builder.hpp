@@ -34,7 +34,7 @@ struct LineMapOptions {
   double max_gap = 10;          ///< pixels, 0..1e6; a hole in a wall up to this long is bridged
   double max_wall_width = 3.6;  ///< pixels, 0..50; thinner walls become one axis, thicker keep both faces
   double furniture_size = 26;   ///< pixels, 0..1e6; solid things that stand alone and fit in are dropped
-  bool refine = true;           ///< false: the edges of the first round as they are, in a fifth of the time
+  bool refine = true;           ///< false: the edges of the first round as they are, in a third of the time
   std::optional<RosMeaning> meaning = {};  ///< a ROS map's thresholds decide what is wall
 };
 
