@@ -128,6 +128,7 @@ Result<LineMapResult> LineMapBuilder::build_coarse(GrayView gray) {
   EdgePlanes& planes = room_->edges.planes;
   const Status status = planes.detect(picture.gray, options_.canny, kernels_);
   if (status != Status::ok) return failure_of("the edge detector", status);
+  out.report.picture = PictureKind::automatic;
   out.report.canny = planes.result;
   HoughOptions hough = first_round(options_);
   hough.kernels = kernels_.hough;

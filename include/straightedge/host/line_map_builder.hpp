@@ -48,7 +48,7 @@ constexpr HoughOptions first_round(const LineMapOptions& options) noexcept {
 
 /// What happened on the way, stage by stage.
 struct LineMapReport {
-  PictureKind picture = PictureKind::photo;  ///< what it was taken for
+  PictureKind picture = PictureKind::photo;  ///< what it was taken for; without `refine` nobody asks
   CannyResult canny;
   HoughResult hough;             ///< of the first round
   std::uint32_t rounds = 0;      ///< of the Hough transform, each on the pixels that the one before left
