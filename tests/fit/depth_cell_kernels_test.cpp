@@ -4,18 +4,18 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <string>
 #include <vector>
 
+#include "kernel_testing.hpp"
 #include "straightedge/depth_cells.hpp"
 #include "straightedge/depth_kernels.hpp"
-#include "straightedge/host/kernels.hpp"
 #include "straightedge/random.hpp"
 #include "support/catch.hpp"
 #include "support/drawing.hpp"
 
 using namespace straightedge;
 using support::uniform;
+using test::for_sets_and_seeds;
 
 namespace {
 
@@ -32,17 +32,6 @@ bool same_bits(const Numbers& a, const Numbers& b) {
 
 Numbers room() {
   return Numbers(static_cast<std::size_t>(apart * DepthCellRows::kinds), 4711.0F);
-}
-
-template <class Check>
-void for_sets_and_seeds(std::uint64_t seeds, const Check& check) {
-  for (const KernelSet& set : kernel_sets()) {
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-      CAPTURE(std::string(set.name), seed);
-      Pcg32 random(seed);
-      check(*set.depth, random, seed);
-    }
-  }
 }
 
 /// Cells near surface 0 or 1 or far from all, some of them empty.

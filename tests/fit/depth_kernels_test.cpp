@@ -8,16 +8,16 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <vector>
 
-#include "straightedge/host/kernels.hpp"
+#include "kernel_testing.hpp"
 #include "straightedge/random.hpp"
 #include "support/catch.hpp"
 #include "support/drawing.hpp"
 
 using namespace straightedge;
 using support::uniform;
+using test::for_sets_and_seeds;
 
 namespace {
 
@@ -44,17 +44,6 @@ std::vector<float> rows_by_chance(Pcg32& random, std::int32_t height) {
   std::vector<float> rows(static_cast<std::size_t>(height * stride));
   for (float& q : rows) q = number(random, odd);
   return rows;
-}
-
-template <class Check>
-void for_sets_and_seeds(std::uint64_t seeds, const Check& check) {
-  for (const KernelSet& set : kernel_sets()) {
-    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-      CAPTURE(std::string(set.name), seed);
-      Pcg32 random(seed);
-      check(*set.depth, random, seed);
-    }
-  }
 }
 
 struct Labelled {
