@@ -144,42 +144,81 @@ void draw_from_frame(Subset& subset, const Labels& labels, std::uint32_t most, P
   squares.draw_all(squares.side * squares.side, random);
 }
 
-/// Runs of readings, whatever lies between them: what is no reading has no influence.
+/// The runs of readings one after another, whatever lies between these: what is no reading has no influence.
 struct Runs {
   std::uint32_t left, parts;
+  std::uint32_t part = 0, begin = 0, rest = 0;  ///< begin = floor(left * part / parts), rest what that leaves
 
-  std::uint32_t begin_of(std::uint32_t part) const noexcept {
-    return static_cast<std::uint32_t>(std::uint64_t{left} * part / parts);
+  /// A reading of this run; then the next run's turn comes.
+  std::uint32_t draw(Pcg32& random) noexcept {
+    const std::uint32_t first = begin;
+    begin += left / parts;
+    rest += left % parts;
+    if (rest >= parts) {
+      rest -= parts;
+      ++begin;
+    }
+    ++part;
+    return first + random.below(begin - first);
   }
-  std::uint32_t draw(std::uint32_t part, Pcg32& random) const noexcept {
-    const std::uint32_t begin = begin_of(part);
-    return begin + random.below(begin_of(part + 1) - begin);
-  }
-  /// Where the part's reading comes among those of all turns.
-  std::uint32_t place_of(std::uint32_t part) const noexcept {
-    const std::uint32_t turn = part % turns, whole = parts / turns, more = parts % turns;
-    return turn * whole + (turn < more ? turn : more) + part / turns;
+  /// Where a run's reading comes among those of all turns.
+  std::uint32_t place_of(std::uint32_t run) const noexcept {
+    const std::uint32_t turn = run % turns, whole = parts / turns, more = parts % turns;
+    return turn * whole + (turn < more ? turn : more) + run / turns;
   }
 };
 
+void prefetch(const PointsView& points, std::uint32_t number) noexcept {
+  const std::ptrdiff_t at = number * (points.stride / static_cast<std::ptrdiff_t>(sizeof(float)));
+  __builtin_prefetch(points.x + at);
+  __builtin_prefetch(points.y + at);
+  __builtin_prefetch(points.z + at);
+}
+
+void put_point(Subset& subset, const Runs& runs, std::uint32_t run, std::uint32_t number,
+               const Reading& r) noexcept {
+  put(subset, runs.place_of(run), number, floats_of({r.x, r.y, r.z}), static_cast<float>(r.w),
+      floats_of(r.place));
+}
+
+/// Of a cloud in which no reading has a label yet: as many readings as points.
+void draw_from_all(Subset& subset, Runs runs, Pcg32& random) noexcept {
+  constexpr std::uint32_t ahead = 32;
+  std::uint32_t waiting[ahead];
+  Reading r;
+  while (runs.part < runs.parts) {
+    // Points drawn lie far apart: some are on their way before the first of them is looked at.
+    const std::uint32_t first = runs.part;
+    std::uint32_t count = 0;
+    for (; count < ahead && runs.part < runs.parts; ++count) {
+      waiting[count] = runs.draw(random);
+      prefetch(subset.readings.points, waiting[count]);
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      (void)subset.readings.read(waiting[i], r);
+      put_point(subset, runs, first + i, waiting[i], r);
+    }
+  }
+}
+
+void draw_from_left(Subset& subset, const Labels& labels, Runs runs, Pcg32& random) noexcept {
+  Reading r;
+  std::uint32_t passed = 0, i = 0;
+  while (runs.part < runs.parts) {
+    const std::uint32_t run = runs.part, wanted = runs.draw(random);
+    while (!labels.free(i, 0) || !subset.readings.read(i, r) || passed++ != wanted) ++i;
+    put_point(subset, runs, run, i++, r);
+  }
+}
+
 void draw_from_cloud(Subset& subset, const Labels& labels, std::uint32_t left, std::uint32_t most,
                      Pcg32& random) noexcept {
-  const Readings& readings = subset.readings;
-  const std::uint32_t count = readings.count();
   const Runs runs{left, left < most ? left : most};
   subset.count = runs.parts;
-  Reading r;
-  std::uint32_t part = 0, passed = 0, i = 0;
-  while (part < runs.parts) {
-    const std::uint32_t wanted = runs.draw(part, random);
-    if (left == count) {
-      i = wanted;
-      (void)readings.read(i, r);
-    } else {
-      while (!labels.free(i, 0) || !readings.read(i, r) || passed++ != wanted) ++i;
-    }
-    put(subset, runs.place_of(part++), i++, floats_of({r.x, r.y, r.z}), static_cast<float>(r.w),
-        floats_of(r.place));
+  if (left == subset.readings.count()) {
+    draw_from_all(subset, runs, random);
+  } else {
+    draw_from_left(subset, labels, runs, random);
   }
 }
 

@@ -239,9 +239,12 @@ std::uint32_t Verify::count_free() const noexcept {
   if (readings.is_frame()) {
     (void)sum_inliers({}, 1, seen);
   } else if (readings.in_space()) {
-    CloudBlocks blocks(readings, labels, {}, {}, 0);  // nothing is nearer than not at all
-    blocks.for_each(
-        1, [&](const RansacPoints& block) { seen += blocks.kernels(kernels).sum_points(block).readings; });
+    CloudBlocks blocks(readings, labels, {}, {}, 0);
+    // From the plane of zeros every finite point is 0 away, and none that is not finite.
+    blocks.block.origin_x = blocks.block.origin_y = blocks.block.origin_z = 0;
+    blocks.block.gate = 1;
+    blocks.for_each(1,
+                    [&](const RansacPoints& block) { seen += blocks.kernels(kernels).count_points(block); });
   } else {
     Reading r;
     for (std::uint32_t i = 0; i < readings.count(); ++i)

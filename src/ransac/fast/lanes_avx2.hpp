@@ -61,6 +61,9 @@ inline Floats::Mask unlabelled(const std::uint16_t* labels) noexcept {
 inline Floats::Mask both(Floats::Mask a, Floats::Mask b) noexcept {
   return {_mm256_and_ps(a.v, b.v)};
 }
+inline bool all_of(Floats::Mask mask) noexcept {
+  return _mm256_movemask_ps(mask.v) == 0xFF;
+}
 /// Lanes of the mask in which a is less.
 inline Floats::Mask less_where(Floats::Mask mask, Floats a, Floats b) noexcept {
   return both(mask, a < b);

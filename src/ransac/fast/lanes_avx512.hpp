@@ -57,6 +57,9 @@ inline Floats::Mask unlabelled(const std::uint16_t* labels) noexcept {
 inline Floats::Mask both(Floats::Mask a, Floats::Mask b) noexcept {
   return static_cast<Floats::Mask>(a & b);
 }
+inline bool all_of(Floats::Mask mask) noexcept {
+  return mask == 0xFFFF;
+}
 /// Lanes of the mask in which a is less.
 inline Floats::Mask less_where(Floats::Mask mask, Floats a, Floats b) noexcept {
   return _mm512_mask_cmp_ps_mask(mask, a.v, b.v, _CMP_LT_OQ);

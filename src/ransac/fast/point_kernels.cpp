@@ -26,14 +26,30 @@ struct Look {
 };
 
 struct Group {
+  Floats px, py, pz;
+  const std::uint16_t* labels;
   Floats x, y, r;
-  Floats::Mask readings, inside;
+  Floats::Mask inside;
 
-  Group(const Look& k, Floats px, Floats py, Floats pz, const std::uint16_t* labels) noexcept
-      : x(px - k.ox), y(py - k.oy), r((k.kx * x + k.ky * y) + (k.kz * (pz - k.oz) + k.kw)) {
-    readings = ((px - px) + (py - py)) + (pz - pz) == Floats::all(0);
-    if (labels != nullptr) readings = both(readings, unlabelled(labels));
-    inside = both(r.magnitude() < k.gate, readings);
+  Group(const Look& k, Floats of_x, Floats of_y, Floats of_z, const std::uint16_t* with) noexcept
+      : px(of_x),
+        py(of_y),
+        pz(of_z),
+        labels(with),
+        x(px - k.ox),
+        y(py - k.oy),
+        r((k.kx * x + k.ky * y) + (k.kz * (pz - k.oz) + k.kw)) {
+    // Where a coordinate is no finite number, neither is the residual, and that is in no gate.
+    inside = r.magnitude() < k.gate;
+    if (labels != nullptr) inside = both(inside, unlabelled(labels));
+  }
+
+  /// Finite points without a label. A finite residual has finite coordinates, which spares nearly all tests.
+  std::uint32_t count_readings() const noexcept {
+    Floats::Mask finite = r.magnitude() < Floats::all(__builtin_inff());
+    if (all_of(finite) && labels == nullptr) return width;
+    finite = ((px - px) + (py - py)) + (pz - pz) == Floats::all(0);
+    return count_of(labels == nullptr ? finite : both(finite, unlabelled(labels)));
   }
 };
 
@@ -78,26 +94,31 @@ struct Tail {
   }
 };
 
-template <class Visit>
+/// Points `first` on of each sixteen.
+template <bool Labelled, class Visit>
 void for_groups(const RansacPoints& p, std::int32_t first, Visit visit) noexcept {
   const Look look(p);
-  const bool labelled = p.labels != nullptr;
   const std::int32_t whole = p.count / lanes * lanes;
   if (p.step == 1) {
     for (std::int32_t i = first; i < whole; i += lanes)
       visit(Group(look, Floats::load(p.x + i), Floats::load(p.y + i), Floats::load(p.z + i),
-                  labelled ? p.labels + i : nullptr));
+                  Labelled ? p.labels + i : nullptr));
   } else {
     for (std::int32_t i = first; i < whole; i += lanes) {
       const std::ptrdiff_t at = i * p.step;
       visit(Group(look, Floats::load(p.x + at, p.step), Floats::load(p.y + at, p.step),
-                  Floats::load(p.z + at, p.step), labelled ? p.labels + i : nullptr));
+                  Floats::load(p.z + at, p.step), Labelled ? p.labels + i : nullptr));
     }
   }
   if (whole == p.count) return;
   const Tail t(p, whole);
   visit(Group(look, Floats::load(t.x + first), Floats::load(t.y + first), Floats::load(t.z + first),
-              labelled ? t.labels + first : nullptr));
+              Labelled ? t.labels + first : nullptr));
+}
+
+template <class Visit>
+void for_groups(const RansacPoints& p, std::int32_t first, Visit visit) noexcept {
+  p.labels == nullptr ? for_groups<false>(p, first, visit) : for_groups<true>(p, first, visit);
 }
 
 }  // namespace
@@ -108,7 +129,7 @@ RansacPointSums sum_points(const RansacPoints& points) noexcept {
   for (std::int32_t first = 0; first < lanes; first += width) {
     Sums sums;
     for_groups(points, first, [&](const Group& group) noexcept {
-      out.readings += count_of(group.readings);
+      out.readings += group.count_readings();
       if (!group.inside) return;
       out.n += count_of(group.inside);
       sums.add(group);
