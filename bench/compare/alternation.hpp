@@ -28,8 +28,8 @@ enum class Clock {
 /// Prints the head of the table.
 void print_head();
 
-/// Checks that the answers agree, then calls each `rounds` times in turns, fewer (at least three) when that
-/// takes more than some seconds, and prints a row: the medians, and the median of the rounds' ratios with its
+/// Checks that the answers agree, then lets each have `rounds` turns, fewer (at least three) when that
+/// takes more than some seconds; a turn is as many calls as fill 2 ms, at least one. Prints a row: the medians, and the median of the rounds' ratios with its
 /// quartiles. Ends the program when the answers differ.
 void print_row(const Job& job, int rounds, Clock clock = Clock::thread);
 

@@ -99,9 +99,10 @@ struct RansacPlanesMemory {
 ///
 /// Results depend on the seed alone, and no more on the kernels. In a cloud, points that are no readings
 /// change nothing but the places of the others' labels. Time: for each plane hypotheses times a part of the
-/// subset, and two passes over all readings. Memory: 32 bytes a reading of the subset; with near_radius 16
-/// more of these; 2 bytes a reading for several planes, or pieces; with `split` 20 bytes a reading more; with
-/// gate.fixed_m 18 KB.
+/// subset, and two passes over all readings; a cloud of which few points are no readings may take its first
+/// plane twice, because their number is known only then. Memory: 32 bytes a reading of the subset; with
+/// near_radius 16 more of these; 2 bytes a reading for several planes, or pieces; with `split` 20 bytes a
+/// reading more; with gate.fixed_m 18 KB.
 class RansacPlanes {
  public:
   /// 0 for options that `prepare` refuses.

@@ -4,9 +4,9 @@
 #include "ransac/frame_labels.hpp"
 #include "ransac/pieces.hpp"
 #include "ransac/verify.hpp"
+#include "ransac/win.hpp"
 #include "straightedge/ransac_planes.hpp"
 #include "straightedge/ransac_stop.hpp"
-#include "straightedge/square_root.hpp"
 
 namespace straightedge {
 namespace {
@@ -19,12 +19,6 @@ constexpr std::uint64_t subset_stream(std::uint32_t plane) noexcept {
   return (std::uint64_t{plane} << 32U) + (std::uint64_t{1} << 31U);
 }
 
-/// Planes whose scores in the subset differ by less than so many standard deviations look at more readings.
-constexpr double contest_sigmas = 3;
-/// One of so many rows of a frame, or blocks of a cloud, and how wide the gate of their least squares is.
-constexpr std::uint32_t contest_part = 8;
-constexpr double contest_gates = 2;
-
 struct Job {
   const Readings& readings;
   const RansacOptions& options;
@@ -34,6 +28,7 @@ struct Job {
   RansacPlanesResult& result;
   std::uint32_t least = 0;  ///< readings of a plane
   std::uint32_t left = 0;   ///< readings of a cloud without a label
+  bool guessed = false;     ///< left: every point of the cloud is taken for a reading
 
   ransac::Verify verify() const noexcept { return {readings, labels, *options.kernels}; }
   /// The labels as one row, which those of several planes are.
@@ -48,40 +43,6 @@ std::uint32_t least_inliers(const RansacOptions& o, std::uint32_t readings) noex
   return by_share > o.min_inliers ? by_share : o.min_inliers;
 }
 
-/// Least squares over some of the readings, those of a wider gate: the subset alone leaves a plane tilted.
-LinearPlane refined(const Job& job, const LinearPlane& plane) noexcept {
-  std::uint32_t seen = 0;
-  LinearPlane found;
-  const ransac::Verify wide{job.readings, job.labels, *job.options.kernels, contest_gates};
-  const ransac::ModelSums sums = wide.sum_inliers(plane, contest_part, seen);
-  return ransac::fit_model(sums, job.readings, found) ? found : plane;
-}
-
-/// Step 6. Of the candidates that may be the best the one with the most readings.
-LinearPlane win(const Job& job, const ransac::Subset& subset, const ransac::Consensus& found) noexcept {
-  const auto score = [&](std::uint32_t i) {
-    return static_cast<double>(subset.count) - static_cast<double>(found.candidates[i].cost);
-  };
-  // Each score is a sum of numbers up to 1, so its variance is at most the score.
-  const double best = score(found.best);
-  const double least = best - contest_sigmas * square_root(2 * best);
-  const auto inliers_of = [&](const LinearPlane& plane) {
-    return job.verify().count_inliers(plane, contest_part);
-  };
-  LinearPlane winner = refined(job, found.candidates[found.best].plane);
-  std::uint32_t most = 0;
-  for (std::uint32_t i = 0; i < found.count; ++i) {
-    if (i == found.best || score(i) < least) continue;
-    if (most == 0) most = inliers_of(winner);
-    const LinearPlane other = refined(job, found.candidates[i].plane);
-    const std::uint32_t inliers = inliers_of(other);
-    if (inliers <= most) continue;
-    most = inliers;
-    winner = other;
-  }
-  return winner;
-}
-
 /// Step 7. False: no plane of enough readings.
 bool verify(Job& job, const LinearPlane& plane, FoundPlane& found) noexcept {
   const ransac::Verify all = job.verify();
@@ -90,6 +51,7 @@ bool verify(Job& job, const LinearPlane& plane, FoundPlane& found) noexcept {
   const std::uint32_t index = job.result.found.planes;
   if (index == 0) {
     job.result.found.readings = seen;
+    if (job.guessed && seen < job.left) return false;
     job.least = least_inliers(job.options, seen);
   }
   if (!ransac::fit_found(sums, job.readings, found.fit)) return false;
@@ -107,7 +69,7 @@ bool verify(Job& job, const LinearPlane& plane, FoundPlane& found) noexcept {
                               const ransac::Consensus& best) noexcept {
   PlanesFound& total = job.result.found;
   FoundPlane found;
-  if (best.inliers < 3 || !verify(job, win(job, subset, best), found)) return false;
+  if (best.inliers < 3 || !verify(job, ransac::win(job.verify(), subset, best), found)) return false;
   if (total.planes == job.out.size()) {
     job.result.status = Status::output_full;
     job.labels.change([&](std::uint16_t l) { return l == total.planes + 1 ? std::uint16_t{0} : l; });
@@ -127,7 +89,7 @@ bool verify(Job& job, const LinearPlane& plane, FoundPlane& found) noexcept {
   const std::uint32_t number = job.result.found.planes;
   // Step 1.
   ransac::Subset subset{job.readings, job.memory};
-  ransac::draw_subset(subset, job.labels, job.options, job.left, subset_stream(number));
+  if (!ransac::draw_subset(subset, job.labels, job.options, job.left, subset_stream(number))) return false;
   // Steps 2 to 5.
   const ransac::Consensus best = ransac::find_consensus(subset, job.options, number);
   job.result.found.iterations += best.iterations;
@@ -192,6 +154,22 @@ void find_planes(Job& job) noexcept {
   if (job.options.split) split(job);
 }
 
+/// Of a cloud nearly always every point is a reading, and to count them is a pass over all. So that is taken
+/// for granted until verifying has counted them: if there are fewer, all begins again with their number.
+/// Who watches the search gets the true one at once, and so sees every hypothesis once.
+void find_planes_of_cloud(Job& job, Readings& readings, detail::CloudBlock* block) noexcept {
+  job.left = readings.count();
+  job.guessed = job.options.trace.event == nullptr;
+  if (job.guessed) find_planes(job);
+  const std::uint32_t counted = job.guessed ? job.result.found.readings : job.verify().count_free();
+  if (job.guessed && counted == readings.count()) return;
+  job.left = counted;
+  job.guessed = false;
+  if (counted < readings.count()) readings.block = block;
+  job.result = {};
+  find_planes(job);
+}
+
 /// A point near which floats resolve the others.
 Vector3 first_reading(const PointsView& points) noexcept {
   for (std::size_t i = 0; i < points.count; ++i)
@@ -228,10 +206,8 @@ RansacPlanesResult RansacPlanes::run(const PointsView& points, std::span<FoundPl
   if (options_.gate.fixed_m > 0) readings.origin = first_reading(points);
   const bool own = !memory_.label.empty();
   Job job{readings, options_, memory_, {}, out, result};
-  job.left = job.verify().count_free();
-  if (!memory_.block.empty() && job.left < points.count) readings.block = memory_.block.data();
   job.labels = {own ? memory_.label.data() : labels.data(), points.count, 1, 0};
-  find_planes(job);
+  find_planes_of_cloud(job, readings, memory_.block.empty() ? nullptr : memory_.block.data());
   if (own) {
     for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = job.labels.data[i];
   }

@@ -181,8 +181,8 @@ void put_point(Subset& subset, const Runs& runs, std::uint32_t run, std::uint32_
       floats_of(r.place));
 }
 
-/// Of a cloud in which no reading has a label yet: as many readings as points.
-void draw_from_all(Subset& subset, Runs runs, Pcg32& random) noexcept {
+/// Of a cloud in which every point is a reading and none has a label yet. False: one that was drawn is none.
+bool draw_from_all(Subset& subset, Runs runs, Pcg32& random) noexcept {
   constexpr std::uint32_t ahead = 32;
   std::uint32_t waiting[ahead];
   Reading r;
@@ -195,10 +195,11 @@ void draw_from_all(Subset& subset, Runs runs, Pcg32& random) noexcept {
       prefetch(subset.readings.points, waiting[count]);
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-      (void)subset.readings.read(waiting[i], r);
+      if (!subset.readings.read(waiting[i], r)) return false;
       put_point(subset, runs, first + i, waiting[i], r);
     }
   }
+  return true;
 }
 
 void draw_from_left(Subset& subset, const Labels& labels, Runs runs, Pcg32& random) noexcept {
@@ -211,32 +212,32 @@ void draw_from_left(Subset& subset, const Labels& labels, Runs runs, Pcg32& rand
   }
 }
 
-void draw_from_cloud(Subset& subset, const Labels& labels, std::uint32_t left, std::uint32_t most,
+bool draw_from_cloud(Subset& subset, const Labels& labels, std::uint32_t left, std::uint32_t most,
                      Pcg32& random) noexcept {
   const Runs runs{left, left < most ? left : most};
   subset.count = runs.parts;
-  if (left == subset.readings.count()) {
-    draw_from_all(subset, runs, random);
-  } else {
-    draw_from_left(subset, labels, runs, random);
-  }
+  if (left == subset.readings.count()) return draw_from_all(subset, runs, random);
+  draw_from_left(subset, labels, runs, random);
+  return true;
 }
 
 }  // namespace
 
-void draw_subset(Subset& subset, const Labels& labels, const RansacOptions& options, std::uint32_t left,
+bool draw_subset(Subset& subset, const Labels& labels, const RansacOptions& options, std::uint32_t left,
                  std::uint64_t stream) noexcept {
   const detail::RansacPlanesMemory& m = subset.memory;
   Pcg32 random(options.seed, stream);
   subset.count = 0;
+  bool drawn = true;
   if (subset.readings.is_raw()) {
     draw_from_frame<std::uint16_t>(subset, labels, options.subset, random);
   } else if (subset.readings.is_frame()) {
     draw_from_frame<float>(subset, labels, options.subset, random);
   } else {
-    draw_from_cloud(subset, labels, left, options.subset, random);
+    drawn = draw_from_cloud(subset, labels, left, options.subset, random);
   }
   for (std::uint32_t i = subset.count; i < padded(subset.count); ++i) m.x[i] = m.y[i] = m.z[i] = m.w[i] = 0;
+  return drawn;
 }
 
 std::uint32_t find_near(const Subset& subset, std::uint32_t i, double radius) noexcept {

@@ -32,9 +32,9 @@ struct Subset {
 /// Step 1, of a cloud with so many readings left. One by chance of each of at most options.subset equal parts
 /// of the readings with label 0: squares of a frame's pixels, runs of a cloud's readings. Every eighth part
 /// comes first, then every eighth beside these, and so on: the first readings are spread over everything, as
-/// all of them are.
-void draw_subset(Subset& subset, const Labels& labels, const RansacOptions& options, std::uint32_t left,
-                 std::uint64_t stream) noexcept;
+/// all of them are. False: the cloud has fewer readings than that.
+[[nodiscard]] bool draw_subset(Subset& subset, const Labels& labels, const RansacOptions& options,
+                               std::uint32_t left, std::uint64_t stream) noexcept;
 
 /// Numbers of the subset's members within the radius of number i, itself left out, into memory.near.
 std::uint32_t find_near(const Subset& subset, std::uint32_t i, double radius) noexcept;

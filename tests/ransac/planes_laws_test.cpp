@@ -16,6 +16,17 @@ scene::Cloud room_cloud(std::uint64_t seed) {
   return scene::to_cloud(frame);
 }
 
+scene::Cloud readings_of(const scene::Cloud& cloud) {
+  scene::Cloud readings;
+  for (std::size_t i = 0; i < cloud.x.size(); ++i) {
+    if (!(cloud.z[i] > 0)) continue;
+    readings.x.push_back(cloud.x[i]);
+    readings.y.push_back(cloud.y[i]);
+    readings.z.push_back(cloud.z[i]);
+  }
+  return readings;
+}
+
 RansacOptions several(double fixed_m) {
   RansacOptions options{.max_planes = 4, .seed = 17};
   options.gate.fixed_m = fixed_m;
@@ -76,6 +87,48 @@ TEST_CASE("Points that are no readings change nothing but the places of labels",
       for (const std::size_t i : place) moved.push_back(b.labels[i]);
       CHECK(moved == a.labels);
     }
+  }
+}
+
+TEST_CASE("One point alone that is no reading changes nothing, wherever it is", "[ransac][laws]") {
+  const scene::Cloud dense = readings_of(room_cloud(6));
+  const std::size_t count = dense.x.size();
+  for (const double fixed : {0.0, 0.02}) {
+    const scene::FoundPlanes a = scene::find(dense.view(), several(fixed));
+    for (const std::size_t place : {std::size_t{0}, std::size_t{1}, count / 2, count - 1, count}) {
+      CAPTURE(fixed, place);
+      scene::Cloud holed = dense;
+      const auto at = static_cast<std::ptrdiff_t>(place);
+      holed.x.insert(holed.x.begin() + at, nan_f);
+      holed.y.insert(holed.y.begin() + at, 1);
+      holed.z.insert(holed.z.begin() + at, 2);
+      scene::FoundPlanes b = scene::find(holed.view(), several(fixed));
+      check_same(a, b);
+      CHECK(b.result.found.readings == count);
+      CHECK(b.result.found.iterations == a.result.found.iterations);
+      CHECK(b.labels[place] == 0);
+      b.labels.erase(b.labels.begin() + at);
+      CHECK(b.labels == a.labels);
+    }
+  }
+}
+
+TEST_CASE("Watching the search of a cloud with holes changes nothing, and shows each hypothesis once",
+          "[ransac][laws]") {
+  scene::Cloud cloud = readings_of(room_cloud(7));
+  cloud.x[cloud.x.size() / 3] = nan_f;
+  for (const double fixed : {0.0, 0.02}) {
+    std::uint32_t events = 0;
+    RansacOptions watched = several(fixed);
+    watched.trace.user = &events;
+    watched.trace.event = [](void* user, const RansacEvent&) {
+      ++*static_cast<std::uint32_t*>(user);
+      return true;
+    };
+    const scene::FoundPlanes a = scene::find(cloud.view(), several(fixed));
+    const scene::FoundPlanes b = scene::find(cloud.view(), watched);
+    check_same(a, b);
+    CHECK(events == b.result.found.iterations);
   }
 }
 
