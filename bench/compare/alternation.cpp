@@ -32,7 +32,8 @@ double time_ms(const std::function<void()>& call, int times, Clock clock) {
   return (now_ms(clock) - before) / times;
 }
 
-int calls_a_turn(const std::function<void()>& call, Clock clock) {
+int calls_a_turn(const Job& job, const std::function<void()>& call, Clock clock) {
+  if (job.one_call_a_turn) return 1;
   return static_cast<int>(std::clamp(least_ms_a_turn / time_ms(call, 1, clock), 1.0, 1000.0));
 }
 
@@ -58,7 +59,8 @@ void print_row(const Job& job, int rounds, Clock clock) {
                  job.kernels.c_str(), job.peer.c_str());
     std::exit(70);
   }
-  const int our_calls = calls_a_turn(job.ours, clock), their_calls = calls_a_turn(job.theirs, clock);
+  const int our_calls = calls_a_turn(job, job.ours, clock),
+            their_calls = calls_a_turn(job, job.theirs, clock);
   std::vector<double> ours, theirs, ratios;
   double spent = 0;
   for (int round = 0; round < rounds && (round < 3 || spent < most_ms_a_row); ++round) {

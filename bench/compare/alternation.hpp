@@ -18,6 +18,7 @@ struct Job {
   std::string peer = "OpenCV";
   /// What the answers are alike in, for the table, asked after `agree`.
   std::function<std::string()> answers = [] { return "equal"; };
+  bool one_call_a_turn = false;  ///< each finds the caches as the other left them
 };
 
 enum class Clock {
@@ -29,7 +30,8 @@ enum class Clock {
 void print_head();
 
 /// Checks that the answers agree, then lets each have `rounds` turns, fewer (at least three) when that
-/// takes more than some seconds; a turn is as many calls as fill 2 ms, at least one. Prints a row: the medians, and the median of the rounds' ratios with its
+/// takes more than some seconds; a turn is as many calls as fill 2 ms, at least one,
+/// unless the job says otherwise. Prints a row: the medians, and the median of the rounds' ratios with its
 /// quartiles. Ends the program when the answers differ.
 void print_row(const Job& job, int rounds, Clock clock = Clock::thread);
 
