@@ -45,8 +45,9 @@ std::string words_of(const MethodRun& method, std::uint64_t readings) {
   if (const std::uint64_t far = out_of_range(method); far > 0)
     words += "\n    " + count(far, "reading") + " beyond the 65 km that a map covers left out";
   words += "\n    map: " + count(report.planes, "plane") + " (dropped: " + io::to_text(report.too_few) +
-           " with few readings, " + io::to_text(report.too_vague) + " of vague tilt, " +
-           io::to_text(report.too_small) + " small)";
+           " with few readings, " + count(report.fragments, "fragment") + ", " +
+           io::to_text(report.too_vague) + " of vague tilt, " + io::to_text(report.too_rough) +
+           " of wide scatter, " + io::to_text(report.too_small) + " small)";
   return words;
 }
 
@@ -95,7 +96,9 @@ Json json_of(const MethodRun& method, const PlanesRun& run) {
            {{"leaves", report.leaves},
             {"readings", report.readings},
             {"dropped_too_few", report.too_few},
+            {"dropped_fragments", report.fragments},
             {"dropped_too_vague", report.too_vague},
+            {"dropped_too_rough", report.too_rough},
             {"dropped_too_small", report.too_small},
             {"planes", std::move(planes)}}}};
 }

@@ -63,9 +63,11 @@ double tilt_variance(const SurfaceEstimate& e, const PlaneMapOptions& options) {
 }
 
 /// A chance plane through clutter: its readings fill the detector's gate instead of crowding about the plane,
-/// and no second frame found it.
+/// and no second frame found it. A large one is a wall that the camera's distortion bends.
 bool is_clutter(const Surface& s, const PlaneMapOptions& options) {
-  return s.sightings < 2 && s.residual > options.max_residual * options.max_residual * s.moments.count;
+  const double count = s.moments.count;
+  return s.sightings < 2 && s.residual > options.max_residual * options.max_residual * count &&
+         count < static_cast<double>(options.sure_points);
 }
 
 /// Step 7. False for an extent that is too small.

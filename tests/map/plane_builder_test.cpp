@@ -105,7 +105,8 @@ TEST_CASE("planes ten centimetres apart stay two, and so does a step of five") {
   CHECK(std::abs(plane_at(reading.map, {0, 1, 0}, 2 - step).plane.distance - (2 - step)) < 0.005);
 }
 
-TEST_CASE("a wall that a wrong pose shows behind itself is one plane; what can be seen beside it is another") {
+TEST_CASE(
+    "a wall that a wrong pose shows behind itself is one plane; what can be seen beside it is another") {
   Frame right = scene::seen(wall, scene::look({0, 0, 1.2}, {0, 2, 1.2}), 12);
   Frame wrong = right;
   wrong.pose.translation.y += 0.05;
@@ -114,13 +115,18 @@ TEST_CASE("a wall that a wrong pose shows behind itself is one plane; what can b
   CHECK(mapped({right, wrong}).map.planes.size() == 2);
 }
 
-TEST_CASE("readings that scatter too much are a plane only when two frames say so") {
+TEST_CASE("readings that scatter too much are a plane only when two frames say so, or when they are many") {
   const Pose pose = scene::look({0, 0, 1.2}, {0, 2, 1.2});
   const Frame rough = scene::seen(wall, pose, 13, 2.2), smooth = scene::seen(wall, pose, 13);
   CHECK(mapped({smooth}).map.planes.size() == 1);
-  CHECK(mapped({rough}).map.planes.empty());
-  CHECK(mapped({rough}).report.too_rough == 1);
-  CHECK(mapped({rough, scene::seen(wall, pose, 14, 2.2)}).map.planes.size() == 1);
+  PlaneMapOptions options = scene::options();
+  const std::uint64_t readings = mapped({rough}).report.readings;
+  options.sure_points = readings + 1;
+  CHECK(mapped({rough}, options).map.planes.empty());
+  CHECK(mapped({rough}, options).report.too_rough == 1);
+  CHECK(mapped({rough, scene::seen(wall, pose, 14, 2.2)}, options).map.planes.size() == 1);
+  options.sure_points = readings;
+  CHECK(mapped({rough}, options).map.planes.size() == 1);
 }
 
 TEST_CASE("two pieces of one infinite plane are one plane with two borders") {
