@@ -91,4 +91,10 @@ constexpr HoughGrid hough_grid(Size size, const HoughOptions& options) noexcept 
   return grid;
 }
 
+/// Angles in a window of gradient_window to each side of a direction, all of them at most.
+constexpr std::int32_t hough_window_angles(const HoughGrid& grid, const HoughOptions& options) noexcept {
+  const double steps = detail::round_even(2 * options.gradient_window / static_cast<double>(grid.theta_step));
+  return steps < grid.half_turn ? static_cast<std::int32_t>(steps) + 1 : grid.half_turn;
+}
+
 }  // namespace straightedge

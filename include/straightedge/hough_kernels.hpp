@@ -17,7 +17,12 @@ struct HoughRows {
   const float* sines = nullptr;
   const std::uint32_t* offsets = nullptr;
   std::int32_t angles = 0;
+  std::int32_t window = 0;  ///< angles of a gradient window, below `angles`; behind the last angle, the first
+                            ///< come again: window + hough_rows_more of them
 };
+
+/// Windows are read so many angles at a time.
+inline constexpr std::size_t hough_rows_more = 16;
 
 /// Pixels that vote together.
 inline constexpr std::size_t hough_batch_room = 128;
@@ -56,6 +61,17 @@ struct HoughCellKernels {
   /// voted, and cells have only lost votes since.
   HoughCandidate (*find)(const Cell* cells, const HoughRows& rows, const HoughBatch& batch, std::int32_t at,
                          HoughCandidate seen, std::int32_t threshold) noexcept;
+
+  /// One pixel of the batch after the other, from number `from` on, votes for the angles of its window, which
+  /// begins at its `firsts`, until one sees `threshold` votes or more: its number, and the first angle with the
+  /// most votes. The batch's count, when none does.
+  std::int32_t (*cast_in_windows)(Cell* cells, const HoughRows& rows, const HoughBatch& batch,
+                                  const std::uint16_t* firsts, std::int32_t from, std::int32_t threshold,
+                                  HoughCandidate& seen) noexcept;
+
+  /// One vote less in the window of each.
+  void (*take_off_in_windows)(Cell* cells, const HoughRows& rows, const HoughBatch& batch,
+                              const std::uint16_t* firsts) noexcept;
 };
 
 /// How the angle at which a pixel's gradient window begins follows from its gradient.

@@ -30,6 +30,8 @@ struct HoughAhead {
   std::uint32_t draws[hough_batch_room];  ///< how many had been drawn with each of them
   HoughBatch leaving;                     ///< pixels whose votes come off
   PixelPlace left_behind[hough_batch_room];
+  std::uint16_t voting_firsts[hough_batch_room];   ///< where their gradient windows begin
+  std::uint16_t leaving_firsts[hough_batch_room];  ///< likewise
 };
 
 /// Side of the squares in which the randomized method keeps its pixels: at least the radius, so that
@@ -44,6 +46,15 @@ constexpr std::int32_t hough_bucket_side(Size size, const HoughOptions& options)
 /// Rows of the image whose votes the standard method casts together.
 inline constexpr std::int32_t hough_band_rows = 32;
 
+/// Progressive: rows that the tables of the angles have. With kernels, windows must not be broken where they
+/// cross pi: so the first angles come again behind the last.
+constexpr std::size_t hough_table_rows(const HoughOptions& options, const HoughGrid& grid) noexcept {
+  const auto angles = static_cast<std::size_t>(grid.angles);
+  const bool progressive = options.method == HoughMethod::progressive;
+  if (!progressive || options.kernels == nullptr || !(options.gradient_window > 0)) return angles;
+  return angles + static_cast<std::size_t>(hough_window_angles(grid, options)) + hough_rows_more;
+}
+
 /// The workspace of the three methods; what a method does not use stays empty.
 struct HoughMemory {
   std::span<std::int32_t> cells;     ///< the accumulator (standard, randomized: with its guard cells)
@@ -54,8 +65,6 @@ struct HoughMemory {
   std::span<std::uint32_t> offsets;  ///< progressive: of each angle's row in the accumulator
   std::span<std::uint8_t> mask;      ///< a pixel's state, rows without gaps; progressive: two bits each
   std::span<PixelPlace> points;      ///< standard: of one band of rows; else all edge pixels
-  std::span<std::uint16_t> firsts;   ///< progressive, where there are kernels and a gradient window: where
-                                     ///< each edge pixel's begins; one a pixel, rows without gaps
   std::span<HoughAhead> ahead;       ///< progressive: one, where there are kernels
   std::span<std::uint32_t> buckets;  ///< randomized: where each square's pixels begin in `points`
 
@@ -64,6 +73,7 @@ struct HoughMemory {
     const auto width = static_cast<std::size_t>(size.width);
     const auto height = static_cast<std::size_t>(size.height);
     const auto angles = static_cast<std::size_t>(grid.angles);
+    const std::size_t rows = hough_table_rows(options, grid);
     const auto distances = static_cast<std::size_t>(grid.distances);
     const bool standard = options.method == HoughMethod::standard;
     const bool progressive = options.method == HoughMethod::progressive;
@@ -74,15 +84,12 @@ struct HoughMemory {
     if (randomized) memory.take_cells(arena, angles * distances + guards, hough_cell_bytes(size, options));
     if (progressive) {
       memory.take_cells(arena, hough_row_cells(size, grid), hough_cell_bytes(size, options));
-      memory.offsets = arena.take<std::uint32_t>(angles);
-      const bool windowed = options.gradient_window > 0;
-      if (options.kernels != nullptr && !windowed) memory.ahead = arena.take<HoughAhead>(1);
-      if (options.kernels != nullptr && windowed && grid.half_turn < hough_no_direction)
-        memory.firsts = arena.take<std::uint16_t>(width * height);
+      memory.offsets = arena.take<std::uint32_t>(rows);
+      if (options.kernels != nullptr) memory.ahead = arena.take<HoughAhead>(1);
     }
     if (!randomized) {
-      memory.cosines = arena.take<float>(angles);
-      memory.sines = arena.take<float>(angles);
+      memory.cosines = arena.take<float>(rows);
+      memory.sines = arena.take<float>(rows);
     }
     memory.mask =
         arena.take<std::uint8_t>(progressive ? PixelStates::row_bytes(size.width) * height : width * height);

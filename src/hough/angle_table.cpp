@@ -24,7 +24,8 @@ void fill_angles_by_adding(HoughJob& job) noexcept {
 
 void fill_angles_by_multiplying(HoughJob& job) noexcept {
   const float inverse_rho = 1.0F / job.grid.rho_step;
-  for (std::size_t n = 0; n < job.memory.cosines.size(); ++n)
+  const auto angles = static_cast<std::size_t>(job.grid.angles);
+  for (std::size_t n = 0; n < angles; ++n)
     fill(job.memory, n, static_cast<double>(n) * static_cast<double>(job.grid.theta_step), inverse_rho);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "base/kernel_set.hpp"
+#include "hough/window_kernels.hpp"
 #include "straightedge/hough_kernels.hpp"
 
 namespace straightedge {
@@ -13,19 +14,7 @@ namespace {
 constexpr float rounding = 12582912.0F;  // 1.5 * 2^23
 constexpr std::int32_t room = hough_batch_room;
 constexpr std::int32_t vector = 16;
-constexpr std::int32_t lanes = 8;  // of double
-constexpr std::int32_t some_directions = 16;
 constexpr std::int32_t block = 64;  // angles that are looked at together
-
-constexpr double arc_tangents_of_eighths[] = {0.0,
-                                              0.12435499454676144,
-                                              0.24497866312686414,
-                                              0.35877067027057225,
-                                              0.4636476090008061,
-                                              0.5585993153435624,
-                                              0.6435011087932844,
-                                              0.7188299996216245,
-                                              0.7853981633974483};
 
 /// Where the first `count` pixels of the batch, whole vectors of them, vote at one angle.
 inline void find_cells(const HoughRows& rows, std::int32_t n, const HoughBatch& batch, std::int32_t count,
@@ -154,91 +143,16 @@ std::int32_t edge_columns(const std::uint8_t* row, std::int32_t width, std::uint
   return count;
 }
 
-/// Gradients on their way to their directions, by the steps of arc_tangent (trigonometry.hpp). Both sides of
-/// each choice are computed: then the loops have no branches.
-struct Directions {
-  double dx[some_directions];
-  double dy[some_directions];
-  double ratio[some_directions];
-  std::int32_t eighth[some_directions];
-  double nearby[some_directions];  ///< the arc tangent of the nearest eighth
-  std::int32_t first[some_directions];
-};
-
-inline void find_ratios(Directions& d, std::int32_t count) noexcept {
-  for (std::int32_t i = 0; i < count; ++i) {
-    const double ax = d.dx[i] < 0 ? -d.dx[i] : d.dx[i];
-    const double ay = d.dy[i] < 0 ? -d.dy[i] : d.dy[i];
-    const double longer = ay > ax ? ay : ax;
-    const double shorter = ay > ax ? ax : ay;
-    d.ratio[i] = shorter / (longer > 0 ? longer : 1.0);
-    d.eighth[i] = static_cast<std::int32_t>(d.ratio[i] * 8 + 0.5);
-  }
-}
-
-/// The direction, and the window's first angle.
-inline void find_first(Directions& d, std::int32_t count, const HoughWindowRule& rule) noexcept {
-  constexpr double half_pi = 3.141592653589793 / 2;
-  constexpr double to_integer = 6755399441055744.0;  // 1.5 * 2^52
-  const double half_window = rule.half_window;
-  const double theta_step = rule.theta_step;
-  const std::int32_t half_turn = rule.half_turn;
-  for (std::int32_t i = 0; i < count; ++i) {
-    const double ax = d.dx[i] < 0 ? -d.dx[i] : d.dx[i];
-    const double ay = d.dy[i] < 0 ? -d.dy[i] : d.dy[i];
-    const double c = d.eighth[i] / 8.0;
-    const double u = (d.ratio[i] - c) / (1 + d.ratio[i] * c);
-    const double s = u * u;
-    double sum = 1.0 / 13.0;
-    sum = 1.0 / 11.0 - s * sum;
-    sum = 1.0 / 9.0 - s * sum;
-    sum = 1.0 / 7.0 - s * sum;
-    sum = 1.0 / 5.0 - s * sum;
-    sum = 1.0 / 3.0 - s * sum;
-    const double flat_angle = d.nearby[i] + (u - u * s * sum);
-    const double steep_angle = half_pi - flat_angle;
-    const double right_angle = ay > ax ? steep_angle : flat_angle;
-    const double left_angle = 2 * half_pi - right_angle;
-    const double down_angle = d.dx[i] < 0 ? left_angle : right_angle;
-    const double angle = d.dy[i] < 0 ? -down_angle : down_angle;
-    const double steps = (angle - half_window) / theta_step;
-    auto n = static_cast<std::int32_t>((steps + to_integer) - to_integer);
-    // At least -2 half turns, at most one, and a little for rounding.
-    n += n < 0 ? half_turn : 0;
-    n += n < 0 ? half_turn : 0;
-    n += n < 0 ? half_turn : 0;
-    n -= n >= half_turn ? half_turn : 0;
-    n -= n >= half_turn ? half_turn : 0;
-    d.first[i] = ax + ay > 0 ? n : std::int32_t{hough_no_direction};
-  }
-}
-
-void first_angles(const std::int16_t* dx, const std::int16_t* dy, std::int32_t count,
-                  const HoughWindowRule& rule, std::uint16_t* first) noexcept {
-  Directions d;
-  for (std::int32_t start = 0; start < count; start += some_directions) {
-    const std::int32_t some = count - start < some_directions ? count - start : some_directions;
-    const std::int32_t whole = (some + lanes - 1) / lanes * lanes;
-    for (std::int32_t i = 0; i < some; ++i) {
-      d.dx[i] = dx[start + i];
-      d.dy[i] = dy[start + i];
-    }
-    for (std::int32_t i = some; i < whole; ++i) d.dx[i] = d.dy[i] = 0;
-    find_ratios(d, whole);
-    for (std::int32_t i = 0; i < whole; ++i) d.nearby[i] = arc_tangents_of_eighths[d.eighth[i]];
-    find_first(d, whole, rule);
-    for (std::int32_t i = 0; i < some; ++i) first[start + i] = static_cast<std::uint16_t>(d.first[i]);
-  }
-}
-
 }  // namespace
 }  // namespace STRAIGHTEDGE_KERNEL_SET
 
 constinit const HoughKernels STRAIGHTEDGE_OF_SET(_hough_kernels){
     .bytes = {&STRAIGHTEDGE_KERNEL_SET::cast<std::uint8_t>, &STRAIGHTEDGE_KERNEL_SET::take_off<std::uint8_t>,
-              &STRAIGHTEDGE_KERNEL_SET::find<std::uint8_t>},
+              &STRAIGHTEDGE_KERNEL_SET::find<std::uint8_t>,
+              &STRAIGHTEDGE_KERNEL_SET::cast_in_windows<std::uint8_t>, &STRAIGHTEDGE_KERNEL_SET::take_off_in_windows<std::uint8_t>},
     .words = {&STRAIGHTEDGE_KERNEL_SET::cast<std::int16_t>, &STRAIGHTEDGE_KERNEL_SET::take_off<std::int16_t>,
-              &STRAIGHTEDGE_KERNEL_SET::find<std::int16_t>},
+              &STRAIGHTEDGE_KERNEL_SET::find<std::int16_t>,
+              &STRAIGHTEDGE_KERNEL_SET::cast_in_windows<std::int16_t>, &STRAIGHTEDGE_KERNEL_SET::take_off_in_windows<std::int16_t>},
     .edge_columns = &STRAIGHTEDGE_KERNEL_SET::edge_columns,
     .first_angles = &STRAIGHTEDGE_KERNEL_SET::first_angles,
 };

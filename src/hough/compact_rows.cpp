@@ -49,10 +49,16 @@ void take_off(Cell* cells, const HoughMemory& memory, PixelPlace pixel, Angles a
 void lay_out_rows(HoughJob& job) noexcept {
   HoughMemory& memory = job.memory;
   std::uint32_t start = 0;
-  for (std::size_t n = 0; n < memory.offsets.size(); ++n) {
+  const auto angles = static_cast<std::size_t>(job.grid.angles);
+  for (std::size_t n = 0; n < angles; ++n) {
     const Reach row = reach(job.edges.size(), memory.cosines[n], memory.sines[n]);
     memory.offsets[n] = start - static_cast<std::uint32_t>(row.first) - rounding_bits;
     start += static_cast<std::uint32_t>(row.last - row.first) + 1;
+  }
+  for (std::size_t n = angles; n < memory.offsets.size(); ++n) {
+    memory.cosines[n] = memory.cosines[n - angles];
+    memory.sines[n] = memory.sines[n - angles];
+    memory.offsets[n] = memory.offsets[n - angles];
   }
 }
 

@@ -39,7 +39,8 @@ inline std::size_t cell_index(const HoughMemory& memory, std::size_t n, float x,
   return memory.offsets[n] + std::bit_cast<std::uint32_t>(sum);
 }
 
-/// Puts the rows one behind the other. Cosines and sines must be there.
+/// Puts the rows one behind the other, and the first rows of the tables again behind the last. Cosines and
+/// sines must be there.
 void lay_out_rows(HoughJob& job) noexcept;
 
 /// Angles [first, end).

@@ -17,12 +17,6 @@ struct AngleWindow {
   std::int32_t wrapped = 0;
 };
 
-/// Angles in a window of `half_window` to each side.
-inline std::int32_t window_angles(const HoughJob& job) noexcept {
-  const auto step = static_cast<double>(job.grid.theta_step);
-  return static_cast<std::int32_t>(detail::round_even(2 * job.options.gradient_window / step)) + 1;
-}
-
 /// The window that begins at angle `first`, in [0, half_turn).
 inline AngleWindow window_from(const HoughJob& job, std::int32_t first, std::int32_t count) noexcept {
   const std::int32_t period = job.grid.half_turn;
@@ -46,7 +40,7 @@ inline AngleWindow angle_window(const HoughJob& job, std::int32_t x, std::int32_
   if (dx == 0 && dy == 0) return everything;
   const auto step = static_cast<double>(job.grid.theta_step);
   const std::int32_t period = job.grid.half_turn;
-  const std::int32_t count = window_angles(job);
+  const std::int32_t count = hough_window_angles(job.grid, job.options);
   if (count >= period) return everything;
   const double minimum = job.options.method == HoughMethod::standard ? job.options.min_theta : 0;
   const double direction = arc_tangent(dy, dx) - job.options.gradient_window - minimum;

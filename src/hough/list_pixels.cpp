@@ -30,45 +30,9 @@ void for_each_edge(GrayView edges, const Take& take) noexcept {
   }
 }
 
-/// Notes where the gradient windows of edge pixels begin, many pixels at a time, whatever rows they are in.
-class WindowNotes {
- public:
-  WindowNotes(const HoughJob& job, const HoughKernels& kernels) noexcept
-      : job_(job),
-        kernels_(kernels),
-        rule_{job.options.gradient_window, static_cast<double>(job.grid.theta_step), job.grid.half_turn} {}
-
-  void add(const std::int16_t* dx, const std::int16_t* dy, std::size_t place) noexcept {
-    dx_[count_] = *dx;
-    dy_[count_] = *dy;
-    places_[count_] = place;
-    if (++count_ == room) write();
-  }
-
-  void write() noexcept {
-    std::uint16_t first[room];
-    kernels_.first_angles(dx_, dy_, count_, rule_, first);
-    for (std::int32_t i = 0; i < count_; ++i) job_.memory.firsts[places_[i]] = first[i];
-    count_ = 0;
-  }
-
- private:
-  static constexpr std::int32_t room = 64;
-
-  const HoughJob& job_;
-  const HoughKernels& kernels_;
-  HoughWindowRule rule_;
-  std::int32_t count_ = 0;
-  std::int16_t dx_[room] = {};
-  std::int16_t dy_[room] = {};
-  std::size_t places_[room] = {};
-};
-
-/// The same, a piece of a row at a time; notes where the gradient windows begin.
+/// The same, a piece of a row at a time.
 template <class Take>
-void for_each_edge(const HoughJob& job, const HoughKernels& kernels, const Take& take) noexcept {
-  const GrayView edges = job.edges;
-  WindowNotes notes(job, kernels);
+void for_each_edge(GrayView edges, const HoughKernels& kernels, const Take& take) noexcept {
   constexpr std::int32_t piece = 256;
   std::uint16_t columns[piece + 8];
   for (std::int32_t y = 0; y < edges.height; ++y) {
@@ -76,17 +40,8 @@ void for_each_edge(const HoughJob& job, const HoughKernels& kernels, const Take&
       const std::int32_t width = edges.width - first < piece ? edges.width - first : piece;
       const std::int32_t count = kernels.edge_columns(edges.row(y) + first, width, columns);
       for (std::int32_t i = 0; i < count; ++i) take(first + columns[i], y);
-      if (job.memory.firsts.empty()) continue;
-      const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(edges.width);
-      const std::int16_t* const dx = job.gradients.dx.row(y) + first;
-      const std::int16_t* const dy = job.gradients.dy.row(y) + first;
-      for (std::int32_t i = 0; i < count; ++i) {
-        const std::int32_t x = columns[i];
-        notes.add(dx + x, dy + x, row + static_cast<std::size_t>(first + x));
-      }
     }
   }
-  notes.write();
 }
 
 }  // namespace
@@ -104,7 +59,7 @@ std::uint32_t list_pixels(HoughJob& job) noexcept {
   if (job.options.kernels == nullptr) {
     for_each_edge(job.edges, list);
   } else {
-    for_each_edge(job, *job.options.kernels, list);
+    for_each_edge(job.edges, *job.options.kernels, list);
   }
   return count;
 }

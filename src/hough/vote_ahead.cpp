@@ -13,7 +13,7 @@ constexpr auto room = static_cast<std::int32_t>(hough_batch_room);
 
 HoughRows rows_of(const HoughMemory& memory) noexcept {
   return {memory.cosines.data(), memory.sines.data(), memory.offsets.data(),
-          static_cast<std::int32_t>(memory.cosines.size())};
+          static_cast<std::int32_t>(memory.cosines.size()), 0};
 }
 
 void add(HoughBatch& batch, PixelPlace pixel) noexcept {
