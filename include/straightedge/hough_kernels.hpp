@@ -63,8 +63,8 @@ struct HoughCellKernels {
                          HoughCandidate seen, std::int32_t threshold) noexcept;
 
   /// One pixel of the batch after the other, from number `from` on, votes for the angles of its window, which
-  /// begins at its `firsts`, until one sees `threshold` votes or more: its number, and the first angle with the
-  /// most votes. The batch's count, when none does.
+  /// begins at its `firsts`, until one sees `threshold` votes or more: its number, and the first angle with
+  /// the most votes. The batch's count, when none does.
   std::int32_t (*cast_in_windows)(Cell* cells, const HoughRows& rows, const HoughBatch& batch,
                                   const std::uint16_t* firsts, std::int32_t from, std::int32_t threshold,
                                   HoughCandidate& seen) noexcept;

@@ -53,11 +53,10 @@ class VotingInWindows {
     std::int32_t next = 0;
     while (next < ahead_.voting.count) {
       HoughCandidate candidate;
-      const std::int32_t hit = kernels_.cast_in_windows(cells_, rows_, ahead_.voting, ahead_.voting_firsts, next,
-                                                        job_.options.threshold, candidate);
+      const std::int32_t hit = kernels_.cast_in_windows(cells_, rows_, ahead_.voting, ahead_.voting_firsts,
+                                                        next, job_.options.threshold, candidate);
       const std::int32_t end = hit < ahead_.voting.count ? hit + 1 : hit;
-      for (; next < end; ++next)
-        states_.set(ahead_.places[next].x, ahead_.places[next].y, PixelState::voted);
+      for (; next < end; ++next) states_.set(ahead_.places[next].x, ahead_.places[next].y, PixelState::voted);
       if (hit == ahead_.voting.count) return true;
       job_.result.draws = ahead_.draws[hit];
       const bool going_on =

@@ -147,8 +147,7 @@ void take_off_in_windows(Cell* cells, const HoughRows& rows, const HoughBatch& b
     for (std::int32_t n = window.first; n < window.end; n += some_angles) {
       find_cells(rows, n, batch.x[i], batch.y[i], index);
       const std::int32_t count = window.end - n < some_angles ? window.end - n : some_angles;
-      for (std::int32_t k = 0; k < count; ++k)
-        cells[index[k]] = static_cast<Cell>(cells[index[k]] - 1);
+      for (std::int32_t k = 0; k < count; ++k) cells[index[k]] = static_cast<Cell>(cells[index[k]] - 1);
     }
   }
 }
