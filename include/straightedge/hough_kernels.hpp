@@ -84,6 +84,9 @@ struct HoughWindowRule {
 /// Stands for the whole circle, where the gradient is null.
 inline constexpr std::uint16_t hough_no_direction = 65535;
 
+/// Directions that are found together.
+inline constexpr std::int32_t hough_some_directions = 16;
+
 struct HoughKernels {
   HoughCellKernels<std::uint8_t> bytes;
   HoughCellKernels<std::int16_t> words;
@@ -92,7 +95,7 @@ struct HoughKernels {
   std::int32_t (*edge_columns)(const std::uint8_t* row, std::int32_t width, std::uint16_t* columns) noexcept;
 
   /// For each of `count` gradients (dx, dy): the first angle of the window round it, in [0, half_turn), or
-  /// `hough_no_direction`.
+  /// `hough_no_direction`. All three have room for a whole number of times `hough_some_directions`.
   void (*first_angles)(const std::int16_t* dx, const std::int16_t* dy, std::int32_t count,
                        const HoughWindowRule& rule, std::uint16_t* first) noexcept;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include "hough/opencv_generator.hpp"
@@ -33,16 +34,32 @@ class Drawing {
  private:
   static constexpr std::uint32_t ahead = 32;
 
-  /// Who is drawn changes places with the last of those not drawn.
   void draw() noexcept {
-    const std::uint32_t end = not_drawn_ < ahead ? 0 : not_drawn_ - ahead;
-    while (not_drawn_ > end) {
-      const std::uint32_t index = as_opencv_ ? opencv_.next() % not_drawn_ : pcg_.below(not_drawn_);
-      const PixelPlace pixel = points_[index];
-      points_[index] = points_[--not_drawn_];
-      points_[not_drawn_] = pixel;
-      states_.expect(pixel.x, pixel.y);
+    if (as_opencv_) {
+      draw_some([random = &opencv_](std::uint32_t count) noexcept { return random->next() % count; });
+    } else {
+      Pcg32 random = pcg_;
+      draw_some([&random](std::uint32_t count) noexcept { return random.below(count); });
+      pcg_ = random;
     }
+  }
+
+  /// Who is drawn changes places with the last of those not drawn.
+  template <class Below>
+  void draw_some(const Below& below) noexcept {
+    const PixelStates states = states_;
+    PixelPlace* const points = points_;
+    std::uint32_t left = not_drawn_;
+    const std::uint32_t end = left < ahead ? 0 : left - ahead;
+    for (; left > end; --left) {
+      PixelPlace& drawn = points[below(left)];
+      PixelPlace& last = points[left - 1];
+      const auto pixel = std::bit_cast<std::uint32_t>(drawn);
+      drawn = last;
+      last = std::bit_cast<PixelPlace>(pixel);
+      states.expect(last.x, last.y);
+    }
+    not_drawn_ = end;
   }
 
   PixelStates states_;

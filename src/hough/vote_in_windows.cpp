@@ -10,7 +10,7 @@ namespace straightedge::hough {
 namespace {
 
 constexpr std::int32_t room = 64;
-static_assert(room <= hough_batch_room);
+static_assert(room <= hough_batch_room && room % hough_some_directions == 0);
 
 template <class Cell>
 class VotingInWindows {
@@ -96,8 +96,8 @@ class VotingInWindows {
 
   void find_windows(const PixelPlace* pixels, std::int32_t count, HoughBatch& batch,
                     std::uint16_t* firsts) noexcept {
-    std::int16_t dx[room];
-    std::int16_t dy[room];
+    std::int16_t dx[room] = {};
+    std::int16_t dy[room] = {};
     for (std::int32_t i = 0; i < count; ++i) {
       const PixelPlace pixel = pixels[i];
       dx[i] = job_.gradients.dx.at(pixel.x, pixel.y);

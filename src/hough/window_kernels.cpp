@@ -8,8 +8,7 @@ namespace {
 
 constexpr float rounding = 12582912.0F;  // 1.5 * 2^23
 constexpr std::int32_t some_angles = hough_rows_more;
-constexpr std::int32_t lanes = 8;  // of double
-constexpr std::int32_t some_directions = 16;
+constexpr std::int32_t some_directions = hough_some_directions;
 
 constexpr double arc_tangents_of_eighths[] = {0.0,
                                               0.12435499454676144,
@@ -53,8 +52,9 @@ HoughCandidate find_most(const Cell* cells, const HoughRows& rows, Window window
   return most;
 }
 
-/// Gradients on their way to their directions, by the steps of arc_tangent (trigonometry.hpp). Both sides of
-/// each choice are computed: then the loops have no branches.
+/// Gradients on their way to their directions, by the steps of arc_tangent (trigonometry.hpp). Where that
+/// chooses between two sums, here a sign and a number to begin with are chosen: compilers keep branches round
+/// sums, which might trap, and with branches there is no vector code.
 struct Directions {
   double dx[some_directions];
   double dy[some_directions];
@@ -64,27 +64,26 @@ struct Directions {
   std::int32_t first[some_directions];
 };
 
-inline void find_ratios(Directions& d, std::int32_t count) noexcept {
-  for (std::int32_t i = 0; i < count; ++i) {
-    const double ax = d.dx[i] < 0 ? -d.dx[i] : d.dx[i];
-    const double ay = d.dy[i] < 0 ? -d.dy[i] : d.dy[i];
+inline void find_ratios(Directions& d) noexcept {
+  for (std::int32_t i = 0; i < some_directions; ++i) {
+    const double ax = __builtin_fabs(d.dx[i]);
+    const double ay = __builtin_fabs(d.dy[i]);
     const double longer = ay > ax ? ay : ax;
     const double shorter = ay > ax ? ax : ay;
-    d.ratio[i] = shorter / (longer > 0 ? longer : 1.0);
+    d.ratio[i] = shorter / (longer + (longer > 0 ? 0.0 : 1.0));
     d.eighth[i] = static_cast<std::int32_t>(d.ratio[i] * 8 + 0.5);
   }
 }
 
 /// The direction, and the window's first angle.
-inline void find_first(Directions& d, std::int32_t count, const HoughWindowRule& rule) noexcept {
+inline void find_first(Directions& d, const HoughWindowRule& rule) noexcept {
   constexpr double half_pi = 3.141592653589793 / 2;
   constexpr double to_integer = 6755399441055744.0;  // 1.5 * 2^52
   const double half_window = rule.half_window;
   const double theta_step = rule.theta_step;
   const std::int32_t half_turn = rule.half_turn;
-  for (std::int32_t i = 0; i < count; ++i) {
-    const double ax = d.dx[i] < 0 ? -d.dx[i] : d.dx[i];
-    const double ay = d.dy[i] < 0 ? -d.dy[i] : d.dy[i];
+  for (std::int32_t i = 0; i < some_directions; ++i) {
+    const bool steep = __builtin_fabs(d.dy[i]) > __builtin_fabs(d.dx[i]);
     const double c = d.eighth[i] / 8.0;
     const double u = (d.ratio[i] - c) / (1 + d.ratio[i] * c);
     const double s = u * u;
@@ -95,11 +94,9 @@ inline void find_first(Directions& d, std::int32_t count, const HoughWindowRule&
     sum = 1.0 / 5.0 - s * sum;
     sum = 1.0 / 3.0 - s * sum;
     const double flat_angle = d.nearby[i] + (u - u * s * sum);
-    const double steep_angle = half_pi - flat_angle;
-    const double right_angle = ay > ax ? steep_angle : flat_angle;
-    const double left_angle = 2 * half_pi - right_angle;
-    const double down_angle = d.dx[i] < 0 ? left_angle : right_angle;
-    const double angle = d.dy[i] < 0 ? -down_angle : down_angle;
+    const double right_angle = (steep ? half_pi : 0.0) + (steep ? -1.0 : 1.0) * flat_angle;
+    const double down_angle = (d.dx[i] < 0 ? 2 * half_pi : 0.0) + (d.dx[i] < 0 ? -1.0 : 1.0) * right_angle;
+    const double angle = (d.dy[i] < 0 ? -1.0 : 1.0) * down_angle;
     const double steps = (angle - half_window) / theta_step;
     auto n = static_cast<std::int32_t>((steps + to_integer) - to_integer);
     // At least -2 half turns, at most one, and a little for rounding.
@@ -108,7 +105,7 @@ inline void find_first(Directions& d, std::int32_t count, const HoughWindowRule&
     n += n < 0 ? half_turn : 0;
     n -= n >= half_turn ? half_turn : 0;
     n -= n >= half_turn ? half_turn : 0;
-    d.first[i] = ax + ay > 0 ? n : std::int32_t{hough_no_direction};
+    d.first[i] = n;
   }
 }
 
@@ -167,17 +164,15 @@ void first_angles(const std::int16_t* dx, const std::int16_t* dy, std::int32_t c
                   const HoughWindowRule& rule, std::uint16_t* first) noexcept {
   Directions d;
   for (std::int32_t start = 0; start < count; start += some_directions) {
-    const std::int32_t some = count - start < some_directions ? count - start : some_directions;
-    const std::int32_t whole = (some + lanes - 1) / lanes * lanes;
-    for (std::int32_t i = 0; i < some; ++i) {
-      d.dx[i] = dx[start + i];
-      d.dy[i] = dy[start + i];
+    for (std::int32_t i = 0; i < some_directions; ++i) d.dx[i] = dx[start + i];
+    for (std::int32_t i = 0; i < some_directions; ++i) d.dy[i] = dy[start + i];
+    find_ratios(d);
+    for (std::int32_t i = 0; i < some_directions; ++i) d.nearby[i] = arc_tangents_of_eighths[d.eighth[i]];
+    find_first(d, rule);
+    for (std::int32_t i = 0; i < some_directions; ++i) {
+      const bool null = (dx[start + i] | dy[start + i]) == 0;
+      first[start + i] = static_cast<std::uint16_t>(null ? hough_no_direction : d.first[i]);
     }
-    for (std::int32_t i = some; i < whole; ++i) d.dx[i] = d.dy[i] = 0;
-    find_ratios(d, whole);
-    for (std::int32_t i = 0; i < whole; ++i) d.nearby[i] = arc_tangents_of_eighths[d.eighth[i]];
-    find_first(d, whole, rule);
-    for (std::int32_t i = 0; i < some; ++i) first[start + i] = static_cast<std::uint16_t>(d.first[i]);
   }
 }
 
