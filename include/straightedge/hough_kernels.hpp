@@ -91,6 +91,13 @@ struct HoughKernels {
   HoughCellKernels<std::uint8_t> bytes;
   HoughCellKernels<std::int16_t> words;
 
+  /// The states (pixel_states.hpp) of a row's pixels: waiting where there is an edge, else gone.
+  void (*mark_edges)(const std::uint8_t* row, std::int32_t width, std::uint8_t* states) noexcept;
+
+  /// The columns of the pixels that are marked so, ascending, and how many. `columns` has room for width + 8.
+  std::int32_t (*marked_columns)(const std::uint8_t* states, std::int32_t width,
+                                 std::uint16_t* columns) noexcept;
+
   /// The columns of the edge pixels of a row, ascending, and how many. `columns` has room for width + 8.
   std::int32_t (*edge_columns)(const std::uint8_t* row, std::int32_t width, std::uint16_t* columns) noexcept;
 

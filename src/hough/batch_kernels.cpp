@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "base/kernel_set.hpp"
-#include "hough/window_kernels.hpp"
+#include "hough/part_kernels.hpp"
 #include "straightedge/hough_kernels.hpp"
 
 namespace straightedge {
@@ -133,36 +133,6 @@ HoughCandidate find(const Cell* cells, const HoughRows& rows, const HoughBatch& 
   return best;
 }
 
-std::int32_t edge_columns(const std::uint8_t* row, std::int32_t width, std::uint16_t* columns) noexcept {
-  constexpr std::int32_t wide = 64;
-  constexpr std::int32_t narrow = 8;
-  std::int32_t count = 0;
-  std::int32_t x = 0;
-  const auto list = [&](std::int32_t end) noexcept {
-    for (; x < end; ++x) {
-      columns[count] = static_cast<std::uint16_t>(x);
-      count += row[x] != 0 ? 1 : 0;
-    }
-  };
-  while (x + wide <= width) {
-    std::uint8_t any = 0;
-    for (std::int32_t k = 0; k < wide; ++k) any = static_cast<std::uint8_t>(any | row[x + k]);
-    const std::int32_t end = x + wide;
-    if (any == 0) x = end;
-    while (x < end) {
-      std::uint64_t eight = 0;
-      __builtin_memcpy(&eight, row + x, narrow);
-      if (eight == 0) {
-        x += narrow;
-      } else {
-        list(x + narrow);
-      }
-    }
-  }
-  list(width);
-  return count;
-}
-
 }  // namespace
 }  // namespace STRAIGHTEDGE_KERNEL_SET
 
@@ -175,6 +145,8 @@ constinit const HoughKernels STRAIGHTEDGE_OF_SET(_hough_kernels){
               &STRAIGHTEDGE_KERNEL_SET::find<std::int16_t>,
               &STRAIGHTEDGE_KERNEL_SET::cast_in_windows<std::int16_t>,
               &STRAIGHTEDGE_KERNEL_SET::take_off_in_windows<std::int16_t>},
+    .mark_edges = &STRAIGHTEDGE_KERNEL_SET::mark_edges,
+    .marked_columns = &STRAIGHTEDGE_KERNEL_SET::marked_columns,
     .edge_columns = &STRAIGHTEDGE_KERNEL_SET::edge_columns,
     .first_angles = &STRAIGHTEDGE_KERNEL_SET::first_angles,
 };

@@ -30,38 +30,48 @@ void for_each_edge(GrayView edges, const Take& take) noexcept {
   }
 }
 
-/// The same, a piece of a row at a time.
-template <class Take>
-void for_each_edge(GrayView edges, const HoughKernels& kernels, const Take& take) noexcept {
+/// One pixel after the other.
+std::uint32_t list_plainly(HoughJob& job) noexcept {
+  const PixelStates all = states(job);
+  std::uint32_t count = 0;
+  for (std::uint8_t& four : job.memory.mask) four = 0;
+  for_each_edge(job.edges, [&](std::int32_t x, std::int32_t y) noexcept {
+    all.set(x, y, PixelState::waiting);
+    if (count < job.memory.points.size())
+      job.memory.points[count] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
+    ++count;
+  });
+  return count;
+}
+
+/// A row's states at once, and its pixels a piece at a time.
+std::uint32_t list_rows(HoughJob& job, const HoughKernels& kernels) noexcept {
   constexpr std::int32_t piece = 256;
   std::uint16_t columns[piece + 8];
-  for (std::int32_t y = 0; y < edges.height; ++y) {
+  const GrayView edges = job.edges;
+  const std::span<PixelPlace> points = job.memory.points;
+  std::uint8_t* states = job.memory.mask.data();
+  std::uint32_t count = 0;
+  for (std::int32_t y = 0; y < edges.height; ++y, states += PixelStates::row_bytes(edges.width)) {
+    kernels.mark_edges(edges.row(y), edges.width, states);
     for (std::int32_t first = 0; first < edges.width; first += piece) {
       const std::int32_t width = edges.width - first < piece ? edges.width - first : piece;
-      const std::int32_t count = kernels.edge_columns(edges.row(y) + first, width, columns);
-      for (std::int32_t i = 0; i < count; ++i) take(first + columns[i], y);
+      const auto more =
+          static_cast<std::uint32_t>(kernels.marked_columns(states + first / 4, width, columns));
+      const std::size_t room = points.size() < count ? 0 : points.size() - count;
+      const std::size_t written = more < room ? more : room;
+      for (std::size_t i = 0; i < written; ++i)
+        points[count + i] = {static_cast<std::uint16_t>(first + columns[i]), static_cast<std::uint16_t>(y)};
+      count += more;
     }
   }
+  return count;
 }
 
 }  // namespace
 
 std::uint32_t list_pixels(HoughJob& job) noexcept {
-  const PixelStates all = states(job);
-  std::uint32_t count = 0;
-  for (std::uint8_t& four : job.memory.mask) four = 0;
-  const auto list = [&](std::int32_t x, std::int32_t y) noexcept {
-    all.set(x, y, PixelState::waiting);
-    if (count < job.memory.points.size())
-      job.memory.points[count] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)};
-    ++count;
-  };
-  if (job.options.kernels == nullptr) {
-    for_each_edge(job.edges, list);
-  } else {
-    for_each_edge(job.edges, *job.options.kernels, list);
-  }
-  return count;
+  return job.options.kernels == nullptr ? list_plainly(job) : list_rows(job, *job.options.kernels);
 }
 
 }  // namespace straightedge::hough

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
-#include "hough/window_kernels.hpp"
+#include "hough/part_kernels.hpp"
 
 namespace straightedge {
 namespace STRAIGHTEDGE_KERNEL_SET {

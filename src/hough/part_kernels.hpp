@@ -7,7 +7,7 @@
 #include "base/kernel_set.hpp"
 #include "straightedge/hough_kernels.hpp"
 
-/// What batch_kernels.cpp takes into its table from window_kernels.cpp.
+/// What batch_kernels.cpp takes into its table from window_kernels.cpp and edge_kernels.cpp.
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 
 template <class Cell>
@@ -21,5 +21,11 @@ void take_off_in_windows(Cell* cells, const HoughRows& rows, const HoughBatch& b
 
 void first_angles(const std::int16_t* dx, const std::int16_t* dy, std::int32_t count,
                   const HoughWindowRule& rule, std::uint16_t* first) noexcept;
+
+void mark_edges(const std::uint8_t* row, std::int32_t width, std::uint8_t* __restrict states) noexcept;
+
+std::int32_t marked_columns(const std::uint8_t* states, std::int32_t width, std::uint16_t* columns) noexcept;
+
+std::int32_t edge_columns(const std::uint8_t* row, std::int32_t width, std::uint16_t* columns) noexcept;
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
