@@ -27,7 +27,7 @@ inline constexpr std::size_t hough_rows_more = 16;
 /// Pixels that vote together.
 inline constexpr std::size_t hough_batch_room = 128;
 
-/// Room for 64, of which `count` are used; the rest is anything finite.
+/// Room for hough_batch_room, of which `count` are used; the rest is anything finite.
 struct HoughBatch {
   float x[hough_batch_room] = {};
   float y[hough_batch_room] = {};

@@ -39,8 +39,9 @@ namespace straightedge {
 /// where OpenCV is followed, two. Two bits a pixel, 4 bytes for each of max_edge_pixels. 320x240 with
 /// steps of 1 px and 2 degrees and room for 8000 edge pixels: 86 KB; as OpenCV 119 KB.
 ///
-/// With `kernels` many pixels vote at the same time (src/hough/vote_ahead.hpp), with the same results; 5 KB
-/// more, or with a gradient window 2 bytes a pixel. Not when a trace watches.
+/// With `kernels` many pixels are looked at together, with the same results: they vote at the same time
+/// (src/hough/vote_ahead.hpp), or find their gradient windows (src/hough/vote_in_windows.hpp); 5 KB more. Not when
+/// a trace watches.
 ///
 /// Time: pixels that vote times angles in the window, plus the walks. The segment's first end lies
 /// ahead of the pixel drawn, along (-sin theta, cos theta), the second behind it.

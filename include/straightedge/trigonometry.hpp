@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "straightedge/detail/arc_tangents_of_eighths.hpp"
+
 /// Sine, cosine and arc tangent from + − × ÷ alone, so that every machine and compiler gives the
 /// same bits; the C library's may differ in the last one. Absolute error below 4e-16 for |x| <= 100.
 ///
@@ -84,15 +86,6 @@ constexpr double cosine(double x) noexcept {
 /// The angle of the vector (x, y), in (−pi, pi]; 0 for the null vector. NaN gives NaN, and so do two
 /// infinities.
 constexpr double arc_tangent(double y, double x) noexcept {
-  constexpr double eighths[] = {0.0,
-                                0.12435499454676144,
-                                0.24497866312686414,
-                                0.35877067027057225,
-                                0.4636476090008061,
-                                0.5585993153435624,
-                                0.6435011087932844,
-                                0.7188299996216245,
-                                0.7853981633974483};
   const double ax = x < 0 ? -x : x;
   const double ay = y < 0 ? -y : y;
   if (ax == 0 && ay == 0) return 0;
@@ -111,7 +104,7 @@ constexpr double arc_tangent(double y, double x) noexcept {
   sum = 1.0 / 7.0 - s * sum;
   sum = 1.0 / 5.0 - s * sum;
   sum = 1.0 / 3.0 - s * sum;
-  double angle = eighths[k] + (u - u * s * sum);
+  double angle = detail::arc_tangents_of_eighths[k] + (u - u * s * sum);
   // Step 3.
   if (steep) angle = pi / 2 - angle;
   if (x < 0) angle = pi - angle;

@@ -43,7 +43,9 @@ bool vote_one_by_one(HoughJob& job) noexcept {
     if (!job.tell({.step = HoughStep::vote, .x0 = pixel.x, .y0 = pixel.y, .votes = candidate.votes}))
       return false;
     if (candidate.angle < 0) continue;
-    const auto take_off = [&](PixelPlace taken) { take_off_in_window(job, taken, hough::angle_window(job, taken.x, taken.y)); };
+    const auto take_off = [&](PixelPlace taken) {
+      take_off_in_window(job, taken, hough::angle_window(job, taken.x, taken.y));
+    };
     if (!hough::follow_line(job, pixel, candidate, take_off)) return false;
   }
   return true;

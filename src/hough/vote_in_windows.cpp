@@ -23,6 +23,7 @@ class VotingInWindows {
         kernels_(kernels),
         rows_{job.memory.cosines.data(), job.memory.sines.data(), job.memory.offsets.data(), job.grid.angles,
               hough_window_angles(job.grid, job.options)},
+        threshold_(job.options.threshold <= INT16_MAX ? job.options.threshold : INT16_MAX + 1),
         rule_{job.options.gradient_window, static_cast<double>(job.grid.theta_step), job.grid.half_turn},
         drawing_(job) {}
 
@@ -54,7 +55,7 @@ class VotingInWindows {
     while (next < ahead_.voting.count) {
       HoughCandidate candidate;
       const std::int32_t hit = kernels_.cast_in_windows(cells_, rows_, ahead_.voting, ahead_.voting_firsts,
-                                                        next, job_.options.threshold, candidate);
+                                                        next, threshold_, candidate);
       const std::int32_t end = hit < ahead_.voting.count ? hit + 1 : hit;
       for (; next < end; ++next) states_.set(ahead_.places[next].x, ahead_.places[next].y, PixelState::voted);
       if (hit == ahead_.voting.count) return true;
@@ -115,6 +116,7 @@ class VotingInWindows {
   Cell* cells_;
   const HoughCellKernels<Cell>& kernels_;
   HoughRows rows_;
+  std::int32_t threshold_;  ///< cells hold no more than 16 bits: what is above cannot be reached
   HoughWindowRule rule_;
   Drawing drawing_;
   std::int32_t leaving_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
 #include "hough/part_kernels.hpp"
+#include "straightedge/detail/arc_tangents_of_eighths.hpp"
 
 namespace straightedge {
 namespace STRAIGHTEDGE_KERNEL_SET {
@@ -9,16 +10,6 @@ namespace {
 constexpr float rounding = 12582912.0F;  // 1.5 * 2^23
 constexpr std::int32_t some_angles = hough_rows_more;
 constexpr std::int32_t some_directions = hough_some_directions;
-
-constexpr double arc_tangents_of_eighths[] = {0.0,
-                                              0.12435499454676144,
-                                              0.24497866312686414,
-                                              0.35877067027057225,
-                                              0.4636476090008061,
-                                              0.5585993153435624,
-                                              0.6435011087932844,
-                                              0.7188299996216245,
-                                              0.7853981633974483};
 
 /// Angles [first, end) of the table.
 struct Window {
@@ -167,7 +158,8 @@ void first_angles(const std::int16_t* dx, const std::int16_t* dy, std::int32_t c
     for (std::int32_t i = 0; i < some_directions; ++i) d.dx[i] = dx[start + i];
     for (std::int32_t i = 0; i < some_directions; ++i) d.dy[i] = dy[start + i];
     find_ratios(d);
-    for (std::int32_t i = 0; i < some_directions; ++i) d.nearby[i] = arc_tangents_of_eighths[d.eighth[i]];
+    for (std::int32_t i = 0; i < some_directions; ++i)
+      d.nearby[i] = detail::arc_tangents_of_eighths[d.eighth[i]];
     find_first(d, rule);
     for (std::int32_t i = 0; i < some_directions; ++i) {
       const bool null = (dx[start + i] | dy[start + i]) == 0;

@@ -3,9 +3,8 @@
 #include <algorithm>
 
 #include "../support/golden_hough.hpp"
+#include "kernel_tables.hpp"
 #include "plain_progressive.hpp"
-#include "straightedge/detail/x86_instructions.hpp"
-#include "straightedge/hough_kernels.hpp"
 
 using namespace straightedge;
 using test::EdgeImage;
@@ -46,11 +45,8 @@ void require_equal(const CompactRun& compact, const test::PlainProgressive& plai
 
 /// One pixel after the other, and many together with each table that this machine can run.
 std::vector<const HoughKernels*> kernels_here() {
-  std::vector<const HoughKernels*> tables{nullptr, &plain_hough_kernels};
-#if defined(__x86_64__)
-  if (detail::has_avx2()) tables.push_back(&avx2_hough_kernels);
-  if (detail::has_avx512()) tables.push_back(&avx512_hough_kernels);
-#endif
+  std::vector<const HoughKernels*> tables = test::kernel_tables();
+  tables.insert(tables.begin(), nullptr);
   return tables;
 }
 
@@ -216,11 +212,13 @@ TEST_CASE("pixels that vote ahead are nowhere to be seen when the output is full
     HoughOptions options = short_lines(seed % 2 == 0 ? HoughGenerator::opencv : HoughGenerator::pcg32);
     options.seed = seed;
     INFO("seed " << seed);
+    const test::ConstantGradient gradient(image.size(), 0.1 * static_cast<double>(seed));
+    options.gradient_window = seed % 3 == 0 ? 0.7 : 0;
     std::vector<HoughSegment> segments(static_cast<std::size_t>(seed % 7));
     std::vector<std::byte> memory(HoughLines::workspace_bytes(image.size(), options));
     HoughLines one_by_one;
     REQUIRE(HoughLines::prepare(one_by_one, image.size(), options, memory) == Status::ok);
-    const HoughResult expected = one_by_one.run(image, {}, {}, segments);
+    const HoughResult expected = one_by_one.run(image, gradient.view(), {}, segments);
     REQUIRE(expected.status == Status::output_full);
     for (const HoughKernels* kernels : kernels_here()) {
       options.kernels = kernels;
@@ -228,7 +226,7 @@ TEST_CASE("pixels that vote ahead are nowhere to be seen when the output is full
       std::vector<std::byte> more(HoughLines::workspace_bytes(image.size(), options));
       HoughLines ahead;
       REQUIRE(HoughLines::prepare(ahead, image.size(), options, more) == Status::ok);
-      const HoughResult result = ahead.run(image, {}, {}, found);
+      const HoughResult result = ahead.run(image, gradient.view(), {}, found);
       CHECK(result.status == Status::output_full);
       CHECK(result.draws == expected.draws);
       CHECK(found == segments);
@@ -237,25 +235,6 @@ TEST_CASE("pixels that vote ahead are nowhere to be seen when the output is full
         for (std::int32_t r = 0; r < one_by_one.grid().distances; ++r)
           same = same && ahead.accumulator().at(r, n) == one_by_one.accumulator().at(r, n);
       CHECK(same);
-    }
-  }
-}
-
-TEST_CASE("every table of kernels lists the edge pixels of a row") {
-  for (const HoughKernels* kernels : kernels_here()) {
-    if (kernels == nullptr) continue;
-    for (std::int32_t width = 1; width <= 200; ++width) {
-      const EdgeImage image =
-          test::noise({width, 3}, 0.01 * (width % 100), static_cast<std::uint64_t>(width));
-      for (std::int32_t y = 0; y < 3; ++y) {
-        std::vector<std::uint16_t> columns(static_cast<std::size_t>(width) + 8);
-        const std::int32_t count = kernels->edge_columns(image.view().row(y), width, columns.data());
-        std::vector<std::uint16_t> expected;
-        for (std::int32_t x = 0; x < width; ++x)
-          if (image.view().at(x, y) != 0) expected.push_back(static_cast<std::uint16_t>(x));
-        columns.resize(static_cast<std::size_t>(count));
-        REQUIRE(columns == expected);
-      }
     }
   }
 }
