@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 #include "hough/opencv_generator.hpp"
@@ -34,33 +33,10 @@ class Drawing {
  private:
   static constexpr std::uint32_t ahead = 32;
 
-  void draw() noexcept {
-    if (as_opencv_) {
-      draw_some([random = &opencv_](std::uint32_t count) noexcept { return random->next() % count; });
-    } else {
-      Pcg32 random = pcg_;
-      draw_some([&random](std::uint32_t count) noexcept { return random.below(count); });
-      pcg_ = random;
-    }
-  }
+  void draw() noexcept;
 
-  /// Who is drawn changes places with the last of those not drawn.
   template <class Below>
-  void draw_some(const Below& below) noexcept {
-    const PixelStates states = states_;
-    PixelPlace* const points = points_;
-    std::uint32_t left = not_drawn_;
-    const std::uint32_t end = left < ahead ? 0 : left - ahead;
-    for (; left > end; --left) {
-      PixelPlace& drawn = points[below(left)];
-      PixelPlace& last = points[left - 1];
-      const auto pixel = std::bit_cast<std::uint32_t>(drawn);
-      drawn = last;
-      last = std::bit_cast<PixelPlace>(pixel);
-      states.expect(last.x, last.y);
-    }
-    not_drawn_ = end;
-  }
+  void draw_some(const Below& below) noexcept;
 
   PixelStates states_;
   PixelPlace* points_;

@@ -12,18 +12,15 @@ namespace {
 constexpr std::int32_t room = 64;
 static_assert(room <= hough_batch_room && room % hough_some_directions == 0);
 
-template <class Cell>
 class VotingInWindows {
  public:
-  VotingInWindows(HoughJob& job, Cell* cells, const HoughCellKernels<Cell>& kernels) noexcept
+  explicit VotingInWindows(HoughJob& job) noexcept
       : job_(job),
         states_(states(job)),
         ahead_(job.memory.ahead.front()),
-        cells_(cells),
-        kernels_(kernels),
+        kernels_(*job.options.kernels),
         rows_{job.memory.cosines.data(), job.memory.sines.data(), job.memory.offsets.data(), job.grid.angles,
               hough_window_angles(job.grid, job.options)},
-        threshold_(job.options.threshold <= INT16_MAX ? job.options.threshold : INT16_MAX + 1),
         rule_{job.options.gradient_window, static_cast<double>(job.grid.theta_step), job.grid.half_turn},
         drawing_(job) {}
 
@@ -54,8 +51,7 @@ class VotingInWindows {
     std::int32_t next = 0;
     while (next < ahead_.voting.count) {
       HoughCandidate candidate;
-      const std::int32_t hit = kernels_.cast_in_windows(cells_, rows_, ahead_.voting, ahead_.voting_firsts,
-                                                        next, threshold_, candidate);
+      const std::int32_t hit = cast(next, candidate);
       const std::int32_t end = hit < ahead_.voting.count ? hit + 1 : hit;
       for (; next < end; ++next) states_.set(ahead_.places[next].x, ahead_.places[next].y, PixelState::voted);
       if (hit == ahead_.voting.count) return true;
@@ -67,6 +63,17 @@ class VotingInWindows {
       drop_gone(next);
     }
     return true;
+  }
+
+  std::int32_t cast(std::int32_t from, HoughCandidate& seen) noexcept {
+    const HoughMemory& memory = job_.memory;
+    const HoughBatch& batch = ahead_.voting;
+    const std::uint16_t* const firsts = ahead_.voting_firsts;
+    const std::int32_t threshold = job_.options.threshold;
+    return memory.cells8.empty() ? kernels_.words.cast_in_windows(memory.cells16.data(), rows_, batch, firsts,
+                                                                  from, threshold, seen)
+                                 : kernels_.bytes.cast_in_windows(memory.cells8.data(), rows_, batch, firsts,
+                                                                  from, threshold, seen);
   }
 
   /// Moves those of the batch that are still there up, from number `next` on.
@@ -91,7 +98,13 @@ class VotingInWindows {
 
   void take_off() noexcept {
     find_windows(ahead_.left_behind, leaving_, ahead_.leaving, ahead_.leaving_firsts);
-    kernels_.take_off_in_windows(cells_, rows_, ahead_.leaving, ahead_.leaving_firsts);
+    const HoughMemory& memory = job_.memory;
+    const std::uint16_t* const firsts = ahead_.leaving_firsts;
+    if (memory.cells8.empty()) {
+      kernels_.words.take_off_in_windows(memory.cells16.data(), rows_, ahead_.leaving, firsts);
+    } else {
+      kernels_.bytes.take_off_in_windows(memory.cells8.data(), rows_, ahead_.leaving, firsts);
+    }
     leaving_ = 0;
   }
 
@@ -107,25 +120,18 @@ class VotingInWindows {
       batch.y[i] = static_cast<float>(pixel.y);
     }
     batch.count = count;
-    job_.options.kernels->first_angles(dx, dy, count, rule_, firsts);
+    kernels_.first_angles(dx, dy, count, rule_, firsts);
   }
 
   HoughJob& job_;
   PixelStates states_;
   HoughAhead& ahead_;
-  Cell* cells_;
-  const HoughCellKernels<Cell>& kernels_;
+  const HoughKernels& kernels_;
   HoughRows rows_;
-  std::int32_t threshold_;  ///< cells hold no more than 16 bits: what is above cannot be reached
   HoughWindowRule rule_;
   Drawing drawing_;
   std::int32_t leaving_ = 0;
 };
-
-template <class Cell>
-bool run(HoughJob& job, std::span<Cell> cells, const HoughCellKernels<Cell>& kernels) noexcept {
-  return VotingInWindows<Cell>(job, cells.data(), kernels).run();
-}
 
 }  // namespace
 
@@ -136,9 +142,7 @@ bool may_vote_in_windows(const HoughJob& job) noexcept {
 }
 
 bool vote_in_windows(HoughJob& job) noexcept {
-  const HoughKernels& kernels = *job.options.kernels;
-  return job.memory.cells8.empty() ? run(job, job.memory.cells16, kernels.words)
-                                   : run(job, job.memory.cells8, kernels.bytes);
+  return VotingInWindows(job).run();
 }
 
 }  // namespace straightedge::hough
