@@ -1,31 +1,29 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
-#include <cstddef>
-
 #include "hough/part_kernels.hpp"
 
 namespace straightedge {
 namespace STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
+using Word = unsigned long;  // as wide as the machine's own, on most: no result depends on it
 constexpr std::int32_t pixels_in_byte = 4;
-constexpr std::int32_t pixels_in_word = 32;
-constexpr std::int32_t bytes_in_word = 8;
+constexpr std::int32_t bytes_in_word = sizeof(Word);
 
-/// The states of up to 32 pixels, the first in the lowest bits.
-inline std::uint64_t word_of(const std::uint8_t* states, std::int32_t bytes) noexcept {
-  std::uint64_t word = 0;
-  for (std::int32_t k = 0; k < bytes; ++k) word |= std::uint64_t{states[k]} << (8 * k);
+/// The states of as many pixels as a word holds, or fewer, the first in the lowest bits.
+inline Word word_of(const std::uint8_t* states, std::int32_t bytes) noexcept {
+  Word word = 0;
+  for (std::int32_t k = 0; k < bytes; ++k) word |= Word{states[k]} << (8 * k);
   return word;
 }
 
 /// Appends the columns of a word's pixels. Most words have few: four steps at a time need one branch.
-inline std::int32_t list_word(std::uint64_t word, std::int32_t x, std::uint16_t* columns,
+inline std::int32_t list_word(Word word, std::int32_t x, std::uint16_t* columns,
                               std::int32_t count) noexcept {
-  constexpr std::uint64_t end = std::uint64_t{1} << 63U;  // no pixel's bit
+  constexpr Word end = Word{1} << (8 * bytes_in_word - 1);  // no pixel's bit
   while (word != 0) {
     for (std::int32_t k = 0; k < 4; ++k) {
-      columns[count] = static_cast<std::uint16_t>(x + __builtin_ctzll(word | end) / 2);
+      columns[count] = static_cast<std::uint16_t>(x + __builtin_ctzl(word | end) / 2);
       count += word != 0 ? 1 : 0;
       word &= word - 1;
     }
