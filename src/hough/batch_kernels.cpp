@@ -138,13 +138,11 @@ HoughCandidate find(const Cell* cells, const HoughRows& rows, const HoughBatch& 
 
 constinit const HoughKernels STRAIGHTEDGE_OF_SET(_hough_kernels){
     .bytes = {&STRAIGHTEDGE_KERNEL_SET::cast<std::uint8_t>, &STRAIGHTEDGE_KERNEL_SET::take_off<std::uint8_t>,
-              &STRAIGHTEDGE_KERNEL_SET::find<std::uint8_t>,
-              &STRAIGHTEDGE_KERNEL_SET::cast_in_windows<std::uint8_t>,
-              &STRAIGHTEDGE_KERNEL_SET::take_off_in_windows<std::uint8_t>},
+              &STRAIGHTEDGE_KERNEL_SET::find<std::uint8_t>, &STRAIGHTEDGE_KERNEL_SET::cast_in_windows,
+              &STRAIGHTEDGE_KERNEL_SET::take_off_in_windows},
     .words = {&STRAIGHTEDGE_KERNEL_SET::cast<std::int16_t>, &STRAIGHTEDGE_KERNEL_SET::take_off<std::int16_t>,
-              &STRAIGHTEDGE_KERNEL_SET::find<std::int16_t>,
-              &STRAIGHTEDGE_KERNEL_SET::cast_in_windows<std::int16_t>,
-              &STRAIGHTEDGE_KERNEL_SET::take_off_in_windows<std::int16_t>},
+              &STRAIGHTEDGE_KERNEL_SET::find<std::int16_t>, &STRAIGHTEDGE_KERNEL_SET::cast_in_windows,
+              &STRAIGHTEDGE_KERNEL_SET::take_off_in_windows},
     .mark_edges = &STRAIGHTEDGE_KERNEL_SET::mark_edges,
     .marked_columns = &STRAIGHTEDGE_KERNEL_SET::marked_columns,
     .edge_columns = &STRAIGHTEDGE_KERNEL_SET::edge_columns,

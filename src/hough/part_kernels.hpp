@@ -10,13 +10,15 @@
 /// What batch_kernels.cpp takes into its table from window_kernels.cpp and edge_kernels.cpp.
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 
-template <class Cell>
-std::int32_t cast_in_windows(Cell* cells, const HoughRows& rows, const HoughBatch& batch,
+std::int32_t cast_in_windows(std::uint8_t* cells, const HoughRows& rows, const HoughBatch& batch,
                              const std::uint16_t* firsts, std::int32_t from, std::int32_t threshold,
                              HoughCandidate& seen) noexcept;
-
-template <class Cell>
-void take_off_in_windows(Cell* cells, const HoughRows& rows, const HoughBatch& batch,
+void take_off_in_windows(std::uint8_t* cells, const HoughRows& rows, const HoughBatch& batch,
+                         const std::uint16_t* firsts) noexcept;
+std::int32_t cast_in_windows(std::int16_t* cells, const HoughRows& rows, const HoughBatch& batch,
+                             const std::uint16_t* firsts, std::int32_t from, std::int32_t threshold,
+                             HoughCandidate& seen) noexcept;
+void take_off_in_windows(std::int16_t* cells, const HoughRows& rows, const HoughBatch& batch,
                          const std::uint16_t* firsts) noexcept;
 
 void first_angles(const std::int16_t* dx, const std::int16_t* dy, std::int32_t count,

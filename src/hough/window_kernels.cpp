@@ -100,12 +100,9 @@ inline void find_first(Directions& d, const HoughWindowRule& rule) noexcept {
   }
 }
 
-}  // namespace
-
 template <class Cell>
-std::int32_t cast_in_windows(Cell* cells, const HoughRows& rows, const HoughBatch& batch,
-                             const std::uint16_t* firsts, std::int32_t from, std::int32_t threshold,
-                             HoughCandidate& seen) noexcept {
+std::int32_t cast(Cell* cells, const HoughRows& rows, const HoughBatch& batch, const std::uint16_t* firsts,
+                  std::int32_t from, std::int32_t threshold, HoughCandidate& seen) noexcept {
   std::uint32_t index[some_angles];
   for (std::int32_t i = from; i < batch.count; ++i) {
     const Window window = window_of(rows, firsts[i]);
@@ -127,8 +124,8 @@ std::int32_t cast_in_windows(Cell* cells, const HoughRows& rows, const HoughBatc
 }
 
 template <class Cell>
-void take_off_in_windows(Cell* cells, const HoughRows& rows, const HoughBatch& batch,
-                         const std::uint16_t* firsts) noexcept {
+void take_off(Cell* cells, const HoughRows& rows, const HoughBatch& batch,
+              const std::uint16_t* firsts) noexcept {
   std::uint32_t index[some_angles];
   for (std::int32_t i = 0; i < batch.count; ++i) {
     const Window window = window_of(rows, firsts[i]);
@@ -140,16 +137,29 @@ void take_off_in_windows(Cell* cells, const HoughRows& rows, const HoughBatch& b
   }
 }
 
-template std::int32_t cast_in_windows(std::uint8_t*, const HoughRows&, const HoughBatch&,
-                                      const std::uint16_t*, std::int32_t, std::int32_t,
-                                      HoughCandidate&) noexcept;
-template std::int32_t cast_in_windows(std::int16_t*, const HoughRows&, const HoughBatch&,
-                                      const std::uint16_t*, std::int32_t, std::int32_t,
-                                      HoughCandidate&) noexcept;
-template void take_off_in_windows(std::uint8_t*, const HoughRows&, const HoughBatch&,
-                                  const std::uint16_t*) noexcept;
-template void take_off_in_windows(std::int16_t*, const HoughRows&, const HoughBatch&,
-                                  const std::uint16_t*) noexcept;
+}  // namespace
+
+std::int32_t cast_in_windows(std::uint8_t* cells, const HoughRows& rows, const HoughBatch& batch,
+                             const std::uint16_t* firsts, std::int32_t from, std::int32_t threshold,
+                             HoughCandidate& seen) noexcept {
+  return cast(cells, rows, batch, firsts, from, threshold, seen);
+}
+
+std::int32_t cast_in_windows(std::int16_t* cells, const HoughRows& rows, const HoughBatch& batch,
+                             const std::uint16_t* firsts, std::int32_t from, std::int32_t threshold,
+                             HoughCandidate& seen) noexcept {
+  return cast(cells, rows, batch, firsts, from, threshold, seen);
+}
+
+void take_off_in_windows(std::uint8_t* cells, const HoughRows& rows, const HoughBatch& batch,
+                         const std::uint16_t* firsts) noexcept {
+  take_off(cells, rows, batch, firsts);
+}
+
+void take_off_in_windows(std::int16_t* cells, const HoughRows& rows, const HoughBatch& batch,
+                         const std::uint16_t* firsts) noexcept {
+  take_off(cells, rows, batch, firsts);
+}
 
 void first_angles(const std::int16_t* dx, const std::int16_t* dy, std::int32_t count,
                   const HoughWindowRule& rule, std::uint16_t* first) noexcept {
