@@ -43,7 +43,7 @@ class VotingInWindows {
       ahead_.draws[count] = job_.result.edge_pixels - drawing_.left();
       count += states_.at(pixel.x, pixel.y) != PixelState::gone ? 1 : 0;
     }
-    find_windows(ahead_.places, count, ahead_.voting, ahead_.voting_firsts);
+    find_windows(ahead_.places, count, ahead_.voting, ahead_.voting_firsts);  // a
   }
 
   /// Steps 3 to 6 for the batch. False: output full.
@@ -51,20 +51,23 @@ class VotingInWindows {
     std::int32_t next = 0;
     while (next < ahead_.voting.count) {
       HoughCandidate candidate;
-      const std::int32_t hit = cast(next, candidate);
+      const std::int32_t hit = cast(next, candidate);  // b
       const std::int32_t end = hit < ahead_.voting.count ? hit + 1 : hit;
       for (; next < end; ++next) states_.set(ahead_.places[next].x, ahead_.places[next].y, PixelState::voted);
       if (hit == ahead_.voting.count) return true;
       job_.result.draws = ahead_.draws[hit];
+      // c
       const bool going_on =
           follow_line(job_, ahead_.places[hit], candidate, [this](PixelPlace taken) { leave(taken); });
-      take_off();
+      take_off();  // d
       if (!going_on) return false;
       drop_gone(next);
     }
     return true;
   }
 
+  /// Lets the batch vote from number `from` on. The number of the first that has a candidate, or the batch's
+  /// count.
   std::int32_t cast(std::int32_t from, HoughCandidate& seen) noexcept {
     const HoughMemory& memory = job_.memory;
     const HoughBatch& batch = ahead_.voting;
