@@ -101,7 +101,7 @@ Frame room(Size size) {
 }
 
 void run_patches(benchmark::State& state, const Frame& frame) {
-  const HoughPatchOptions options{.kernels = best_kernels().hough_patches};
+  const HoughPatchOptions options{.kernels = best_kernels().depth};
   std::vector<std::byte> memory(HoughPatchSearch::workspace_bytes(frame.inverse_depth.size(), options));
   std::vector<ProposedPlane> candidates(64);
   HoughPatchSearch search;

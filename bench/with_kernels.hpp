@@ -21,7 +21,6 @@ Options with_kernels(Options options, const Set& set) {
   if constexpr (requires { options.kernels = set.ransac; }) options.kernels = set.ransac;
   if constexpr (requires { options.kernels = set.depth; }) options.kernels = set.depth;
   if constexpr (requires { options.kernels = set.plane_search; }) options.kernels = set.plane_search;
-  if constexpr (requires { options.kernels = set.hough_patches; }) options.kernels = set.hough_patches;
   return options;
 }
 

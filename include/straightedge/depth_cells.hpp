@@ -24,6 +24,34 @@ struct DepthCell {
   float uq = 0, vq = 0, qq = 0;
 };
 
+/// The sums of a cell's readings, counted from where the middle is at (middle_u, middle_v).
+constexpr InverseDepthMoments moments_of(const DepthCell& cell, double middle_u, double middle_v) noexcept {
+  const auto number = [](float x) noexcept { return static_cast<double>(x); };
+  const double n = number(cell.n), q = number(cell.q);
+  const double u = number(cell.u) + middle_u, v = number(cell.v) + middle_v;
+  if (!(n > 0)) return {};
+  return {n,
+          n * u,
+          n * v,
+          n * u * u + number(cell.uu),
+          n * u * v + number(cell.uv),
+          n * v * v + number(cell.vv),
+          n * q,
+          n * u * q + number(cell.uq),
+          n * v * q + number(cell.vq),
+          n * q * q + number(cell.qq)};
+}
+
+constexpr DepthCell cell_at(const DepthCellRows& r) noexcept {
+  return {r.first[0],           r.first[r.apart],     r.first[2 * r.apart], r.first[3 * r.apart],
+          r.first[4 * r.apart], r.first[5 * r.apart], r.first[6 * r.apart], r.first[7 * r.apart],
+          r.first[8 * r.apart], r.first[9 * r.apart]};
+}
+
+/// All cells of one level from those of the next finer one, `from` of them.
+void join_cells(const DepthCellRows& fine, Size from, const DepthCellRows& coarse,
+                const DepthKernels& kernels) noexcept;
+
 /// The picture of inverse depth as cells of 4, 8, 16 and 32 pixels: a pyramid.
 ///
 /// 1. The sums of 1, u, v, uu, uv, vv, q, uq, vq, qq over the readings of each cell of 4x4 pixels (of the
@@ -65,7 +93,8 @@ class DepthCells {
   /// Steps 1 and 2. `inverse_depth` has the size given to `take`.
   void build(ImageView<const float> inverse_depth,
              const DepthKernels& kernels = plain_depth_kernels) noexcept;
-  /// Step 1 alone for row y of the finest cells; step 2 is due when all are done.
+  /// Step 1 alone for row y of the finest cells, from the rows of the picture that they are made of; step 2
+  /// is due when all are done.
   void build_row(ImageView<const float> inverse_depth, std::int32_t y,
                  const DepthKernels& kernels = plain_depth_kernels) noexcept;
   /// Step 2 alone, after cells of the finest level were changed.
@@ -82,15 +111,12 @@ class DepthCells {
     const DepthCellRows& all = rows_[static_cast<std::size_t>(level)];
     return {all.first + place, all.apart};
   }
-  DepthCell at(int level, std::size_t place) const noexcept {
-    const DepthCellRows r = rows(level, place);
-    return {r.first[0],           r.first[r.apart],     r.first[2 * r.apart], r.first[3 * r.apart],
-            r.first[4 * r.apart], r.first[5 * r.apart], r.first[6 * r.apart], r.first[7 * r.apart],
-            r.first[8 * r.apart], r.first[9 * r.apart]};
-  }
+  DepthCell at(int level, std::size_t place) const noexcept { return cell_at(rows(level, place)); }
   void set(int level, std::size_t place, const DepthCell& cell) noexcept;
   /// The sums of a cell's readings, u and v from pixel (0, 0).
-  InverseDepthMoments moments(int level, std::size_t place) const noexcept;
+  InverseDepthMoments moments(int level, std::size_t place) const noexcept {
+    return moments_of(at(level, place), middle_u_, middle_v_);
+  }
 
  private:
   int finest_ = 0;

@@ -17,12 +17,6 @@ struct DepthRows {
   std::ptrdiff_t stride = 0;
 };
 
-/// Sums over a square of pixels, u and v counted from its corner. What is not above 0 counts as 0.
-struct DepthCellSums {
-  double q = 0, uq = 0, vq = 0, qq = 0;
-  std::int32_t n = 0;  ///< pixels above 0
-};
-
 /// Cells one after another, a row of numbers for each kind: readings, means of u, v and q, and the sums of
 /// products of the deviations from these means, in the order of DepthCell (depth_cells.hpp).
 struct DepthCellRows {
@@ -85,14 +79,14 @@ struct DepthKernels {
   /// scale / raw, rounded once; 0 where raw is 0.
   void (*invert)(const std::uint16_t* raw, std::int32_t width, float scale, float* inverse) noexcept;
 
-  /// The squares of side 4, 8 or 16 that lie in a row from the corner on.
-  void (*sum_cells)(const DepthRows& corner, std::int32_t side, std::int32_t cells,
-                    DepthCellSums* sums) noexcept;
-
-  /// Cells whose pixels all have a reading, from their sums; u and v of their corners are (left + i side,
-  /// top).
-  void (*whole_cells)(const DepthCellSums* sums, std::int32_t side, std::int32_t cells, float left, float top,
-                      const DepthCellRows& out) noexcept;
+  /// A row's readings, which are above 0 and at most `most`, as they are, and 0 for the rest and where the mask
+  /// (which may be null) is not 0.
+  void (*keep_readings)(const float* inverse, const std::uint16_t* mask, std::int32_t width, float most,
+                        float* kept) noexcept;
+  /// The squares of side 4, 8 or 16 that lie in a row from the corner on, which is at (left, top) from the
+  /// picture's middle. What is not above 0 is no reading. `counts`: readings, 255 at most.
+  void (*build_cells)(const DepthRows& corner, std::int32_t side, std::int32_t cells, double left, double top,
+                      const DepthCellRows& out, std::uint8_t* counts) noexcept;
   /// Each cell from two beside one another of one row and of the next, which lies `below` further on.
   void (*join_cells)(const DepthCellRows& from, std::ptrdiff_t below, std::int32_t cells,
                      const DepthCellRows& out) noexcept;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "straightedge/depth_cells.hpp"
 #include "straightedge/depth_view.hpp"
 #include "straightedge/inverse_depth.hpp"
 #include "straightedge/status.hpp"
@@ -27,13 +28,14 @@ struct ProposedPlane {
 };
 
 /// The method: looks at the readings (inverse depth above 0) whose label is 0, or at all of them when
-/// `labels` has no data, and writes `count` planes, strongest first; output_full: there were more. RANSAC and
-/// the Hough transform are two of them: plane_search in ransac_search.hpp and in hough_plane_patches.hpp.
+/// `labels` has no data, and writes `count` planes, strongest first; output_full: there were more. `cells` are
+/// of all readings, whatever their labels. RANSAC and the Hough transform are two of them: plane_search in
+/// ransac_search.hpp and in hough_plane_patches.hpp.
 struct PlaneSearch {
   void* user = nullptr;
-  Status (*run)(void* user, ImageView<const float> inverse_depth, ImageView<const std::uint16_t> labels,
-                const PinholeCamera& camera, std::span<ProposedPlane> out,
-                std::uint32_t& count) noexcept = nullptr;
+  Status (*run)(void* user, ImageView<const float> inverse_depth, const DepthCells& cells,
+                ImageView<const std::uint16_t> labels, const PinholeCamera& camera,
+                std::span<ProposedPlane> out, std::uint32_t& count) noexcept = nullptr;
 };
 
 }  // namespace straightedge

@@ -5,10 +5,10 @@
 #include <array>
 #include <cstdint>
 
+#include "straightedge/depth_cells.hpp"
 #include "straightedge/detail/has_table.hpp"
 #include "straightedge/frame_planes_options.hpp"
 #include "straightedge/hough_accumulator.hpp"
-#include "straightedge/hough_patch_kernels.hpp"
 #include "straightedge/inverse_depth.hpp"
 #include "straightedge/plane.hpp"
 #include "straightedge/plane_gate.hpp"
@@ -30,7 +30,7 @@ struct HoughPatchOptions {
   std::uint32_t min_pixels = 300;    ///< a candidate's patches have at least so many readings
   std::int32_t max_candidates = 64;  ///< [1, 1024]
   std::int32_t rounds = 2;           ///< votings; each after the first by what is left, [1, 16]
-  const HoughPatchKernels* kernels = &plain_hough_patch_kernels;  ///< not null
+  const DepthKernels* kernels = &plain_depth_kernels;  ///< not null
 };
 
 /// The options for a search of FramePlanes with these: its gate, and planes as small as it wants.
@@ -48,12 +48,12 @@ struct HoughPatch {
   std::uint16_t candidate = 0;          ///< the candidate that took it, counted from 1 as found; 0: none
   bool votes = false;                   ///< knows its normal well enough, and no search from it was in vain
 
-  const InverseDepthMoments* moments = nullptr;  ///< of its readings; in the memory of the search
+  DepthCell cell;  ///< its readings
   InverseDepthPlane plane;
   double mean_u = 0, mean_v = 0;             ///< pixels
   double mean_q = 0;                         ///< 1/metre
   double gate = 0;                           ///< of one reading's 1/z, 1/metre
-  double noise = 0;                          ///< variance of the mean of 1/z is this / moments.n
+  double noise = 0;                          ///< variance of the mean of 1/z is this / cell.n
   std::array<double, 3> slope_covariance{};  ///< of plane.a and plane.b: aa, ab, bb
 
   Plane space;                        ///< the plane in the camera's frame
@@ -83,6 +83,8 @@ struct HoughPatchResult {
 inline constexpr std::uint32_t hough_patch_vote = 64;
 /// Side of the smallest patch, pixels.
 inline constexpr std::int32_t hough_patch_side = 8;
+/// Side of the largest, pixels.
+inline constexpr std::int32_t most_hough_patch_side = 64;
 
 namespace detail {
 

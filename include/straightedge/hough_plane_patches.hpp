@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "straightedge/arena.hpp"
+#include "straightedge/depth_cells.hpp"
 #include "straightedge/depth_view.hpp"
 #include "straightedge/frame_planes_search.hpp"
 #include "straightedge/hough_plane_patch.hpp"
@@ -20,7 +20,9 @@ namespace straightedge {
 namespace detail {
 
 struct HoughPatchMemory {
-  std::array<std::span<InverseDepthMoments>, 4> levels;  ///< squares of 8, 16, 32, 64 pixels
+  DepthCells cells;         ///< squares of 8, 16 and 32 pixels
+  DepthCellRows largest;    ///< squares of 64 pixels
+  std::span<float> pixels;  ///< a row of the smallest squares
   std::span<HoughPatch> patches;
   std::span<HoughPatchMean> means;
   std::span<HoughPlanePeak> peaks;
@@ -32,11 +34,10 @@ struct HoughPatchMemory {
            static_cast<std::size_t>((size.height + side - 1) / side);
   }
   constexpr void take(Arena& arena, Size size, const HoughPatchOptions& options) noexcept {
-    std::int32_t side = hough_patch_side;
-    for (auto& level : levels) {
-      level = arena.take<InverseDepthMoments>(squares(size, side));
-      side *= 2;
-    }
+    cells.take(arena, size, 1);
+    const std::size_t apart = squares(size, most_hough_patch_side);
+    largest = {arena.take<float>(apart * DepthCellRows::kinds).data(), static_cast<std::ptrdiff_t>(apart)};
+    pixels = arena.take<float>(static_cast<std::size_t>(size.width) * hough_patch_side);
     patches = arena.take<HoughPatch>(squares(size, hough_patch_side));
     means = arena.take<HoughPatchMean>(squares(size, hough_patch_side));
     peaks = arena.take<HoughPlanePeak>(2 * static_cast<std::size_t>(options.max_candidates));
@@ -50,8 +51,9 @@ struct HoughPatchMemory {
 /// Planes of a depth picture by votes of its patches: a few hundred voters in place of 300 000, and each
 /// knows how well it knows its plane.
 ///
-///   1. Sums of 1/z, u, v and their products over squares of 8 pixels, in one pass; four squares add up to
-///      one of 16, these to 32 and 64 pixels.
+///   1. Means of 1/z, u, v and sums of products of the deviations from them over squares of 8 pixels
+///      (depth_cells.hpp), in one pass; four squares make one of 16, these 32 and 64 pixels. FramePlanes has
+///      them already.
 ///   2. Patches: from the largest square down, a square whose readings lie on a plane 1/z = a u + b v + c
 ///      within their noise is a patch; one that does not is cut into four, down to smallest_patch. The
 ///      residual must not exceed the noise, nor may the mean residuals of its parts, which a crease or a
@@ -105,10 +107,11 @@ class HoughPatchSearch {
   static Status prepare(HoughPatchSearch& search, Size size, const HoughPatchOptions& options,
                         std::span<std::byte> workspace) noexcept;
 
-  /// `inverse_depth` as of inverse_depth_image; `mask` may be null.
+  /// `inverse_depth` as of inverse_depth_image; `mask` may be null. Cells of all its readings save step 1 where
+  /// nothing is masked.
   HoughPatchResult run(ImageView<const float> inverse_depth, const PinholeCamera& camera,
                        ImageView<const std::uint16_t> mask, std::span<ProposedPlane> candidates,
-                       HoughPlaneTrace trace = {}) noexcept;
+                       HoughPlaneTrace trace = {}, const DepthCells* cells = nullptr) noexcept;
 
   // What the last `run` left behind.
 

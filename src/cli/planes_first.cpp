@@ -31,7 +31,7 @@ Result<FirstPlane> FirstPlane::create(Size size, const PlaneDetectorOptions& opt
   HoughPatchOptions& hough = made.options_.hough;
   hough.max_candidates = 1;
   hough.rounds = 1;
-  hough.kernels = kernels.hough_patches;
+  hough.kernels = kernels.depth;
   hough.gate = options.frame.gate;
   const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
   made.memory_.resize(ransac ? RansacPlanes::workspace_bytes(pixels, one)

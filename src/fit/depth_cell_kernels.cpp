@@ -5,76 +5,6 @@
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
-constexpr std::int32_t columns = 32;  // that are summed at once: their sums lie on the stack
-constexpr std::int32_t band = 4;      // rows that are summed at once
-
-struct ColumnSums {
-  float reading[band][columns];  // of the rows at hand, 0 where there is none
-  double q[columns], vq[columns], qq[columns];
-  std::int32_t n[columns];
-};
-
-void take_row(const float* row, std::int32_t width, float* __restrict reading) noexcept {
-  for (std::int32_t x = 0; x < width; ++x) reading[x] = row[x] > 0 ? row[x] : 0.0F;
-}
-
-/// Adds four rows, the first of which is row v of the cells; the first band begins the sums.
-template <bool first>
-void add_rows(const DepthRows& rows, std::int32_t width, double v, ColumnSums& sums) noexcept {
-  for (std::int32_t i = 0; i < band; ++i) take_row(rows.first + i * rows.stride, width, sums.reading[i]);
-  for (std::int32_t x = 0; x < width; ++x) {
-    const std::int32_t upper = (sums.reading[0][x] > 0 ? 1 : 0) + (sums.reading[1][x] > 0 ? 1 : 0);
-    const std::int32_t lower = (sums.reading[2][x] > 0 ? 1 : 0) + (sums.reading[3][x] > 0 ? 1 : 0);
-    sums.n[x] = (first ? 0 : sums.n[x]) + (upper + lower);
-  }
-  for (std::int32_t x = 0; x < width; ++x) {
-    const double q0 = static_cast<double>(sums.reading[0][x]), q1 = static_cast<double>(sums.reading[1][x]);
-    const double q2 = static_cast<double>(sums.reading[2][x]), q3 = static_cast<double>(sums.reading[3][x]);
-    const double q = (q0 + q1) + (q2 + q3);
-    sums.q[x] = (first ? 0 : sums.q[x]) + q;
-    sums.vq[x] = (first ? 0 : sums.vq[x]) + (v * q + ((q1 + 2 * q2) + 3 * q3));
-    sums.qq[x] = (first ? 0 : sums.qq[x]) + ((q0 * q0 + q1 * q1) + (q2 * q2 + q3 * q3));
-  }
-}
-
-/// Sums of four columns beside one another each.
-struct BandSums {
-  static constexpr std::int32_t most = columns / band;
-  double q[most], uq[most], vq[most], qq[most];
-  std::int32_t n[most];
-
-  void sum(const ColumnSums& of, std::int32_t bands) noexcept {
-    for (std::int32_t i = 0; i < bands; ++i) {
-      const double* x = of.q + band * i;
-      q[i] = (x[0] + x[1]) + (x[2] + x[3]);
-      uq[i] = (x[1] + 2 * x[2]) + 3 * x[3];
-    }
-    for (std::int32_t i = 0; i < bands; ++i) {
-      const double* x = of.vq + band * i;
-      vq[i] = (x[0] + x[1]) + (x[2] + x[3]);
-    }
-    for (std::int32_t i = 0; i < bands; ++i) {
-      const double* x = of.qq + band * i;
-      qq[i] = (x[0] + x[1]) + (x[2] + x[3]);
-    }
-    for (std::int32_t i = 0; i < bands; ++i) {
-      const std::int32_t* x = of.n + band * i;
-      n[i] = (x[0] + x[1]) + (x[2] + x[3]);
-    }
-  }
-  DepthCellSums cell(std::int32_t first, std::int32_t bands) const noexcept {
-    DepthCellSums sums;
-    for (std::int32_t i = 0; i < bands; ++i) {
-      sums.q += q[first + i];
-      sums.uq += band * i * q[first + i] + uq[first + i];
-      sums.vq += vq[first + i];
-      sums.qq += qq[first + i];
-      sums.n += n[first + i];
-    }
-    return sums;
-  }
-};
-
 /// Four cells that make one each, and how far their means are from its.
 struct JoinedCells {
   static constexpr std::int32_t most = 16;
@@ -135,44 +65,14 @@ struct JoinedCells {
 
 }  // namespace
 
-void sum_cells(const DepthRows& corner, std::int32_t side, std::int32_t cells, DepthCellSums* out) noexcept {
-  ColumnSums sums;
-  for (std::int32_t cell = 0; cell < cells; cell += columns / side) {
-    const std::int32_t left = cells - cell, at_once = left < columns / side ? left : columns / side;
-    const std::int32_t width = at_once * side;
-    const float* const first = corner.first + cell * side;
-    add_rows<true>({first, corner.stride}, width, 0, sums);
-    for (std::int32_t v = band; v < side; v += band) {
-      add_rows<false>({first + v * corner.stride, corner.stride}, width, v, sums);
-    }
-    const std::int32_t bands = side / band;
-    BandSums of_bands;
-    of_bands.sum(sums, at_once * bands);
-    for (std::int32_t i = 0; i < at_once; ++i) out[cell + i] = of_bands.cell(i * bands, bands);
+void keep_readings(const float* inverse, const std::uint16_t* mask, std::int32_t width, float most,
+                   float* __restrict kept) noexcept {
+  for (std::int32_t x = 0; x < width; ++x) {
+    const bool good = (inverse[x] > 0) & (inverse[x] <= most);
+    kept[x] = good ? inverse[x] : 0.0F;
   }
-}
-
-void whole_cells(const DepthCellSums* sums, std::int32_t side, std::int32_t cells, float left, float top,
-                 const DepthCellRows& out) noexcept {
-  const float count = static_cast<float>(side * side), half = 0.5F * static_cast<float>(side - 1);
-  // Of 0 to side − 1 the squared deviations from the mean, side times.
-  const float spread = count * (count - 1) / 12;
-  const double n = static_cast<double>(count), middle = static_cast<double>(half);
-  float *readings = out.first, *u = readings + out.apart, *v = u + out.apart, *q = v + out.apart;
-  float *uu = q + out.apart, *uv = uu + out.apart, *vv = uv + out.apart;
-  float *uq = vv + out.apart, *vq = uq + out.apart, *qq = vq + out.apart;
-  for (std::int32_t i = 0; i < cells; ++i) {
-    const double mean = sums[i].q / n;
-    readings[i] = count;
-    u[i] = left + (static_cast<float>(i * side) + half);
-    v[i] = top + half;
-    q[i] = static_cast<float>(mean);
-    uu[i] = vv[i] = spread;
-    uv[i] = 0;
-    uq[i] = static_cast<float>(sums[i].uq - middle * sums[i].q);
-    vq[i] = static_cast<float>(sums[i].vq - middle * sums[i].q);
-    qq[i] = static_cast<float>(sums[i].qq - mean * sums[i].q);
-  }
+  if (mask == nullptr) return;
+  for (std::int32_t x = 0; x < width; ++x) kept[x] = mask[x] == 0 ? kept[x] : 0.0F;
 }
 
 void join_cells(const DepthCellRows& from, std::ptrdiff_t below, std::int32_t cells,

@@ -199,8 +199,8 @@ void choose(const DepthChoice& pixel, std::int32_t* chosen) noexcept {
 
 constinit const DepthKernels STRAIGHTEDGE_OF_SET(_depth_kernels) = {
     .invert = STRAIGHTEDGE_KERNEL_SET::invert,
-    .sum_cells = STRAIGHTEDGE_KERNEL_SET::sum_cells,
-    .whole_cells = STRAIGHTEDGE_KERNEL_SET::whole_cells,
+    .keep_readings = STRAIGHTEDGE_KERNEL_SET::keep_readings,
+    .build_cells = STRAIGHTEDGE_KERNEL_SET::build_cells,
     .join_cells = STRAIGHTEDGE_KERNEL_SET::join_cells,
     .choose_planes = STRAIGHTEDGE_KERNEL_SET::choose_planes,
     .label_block = STRAIGHTEDGE_KERNEL_SET::label_block,

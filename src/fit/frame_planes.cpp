@@ -186,7 +186,7 @@ Status FramePlanes::read_depth(const DepthView& depth) noexcept {
     out.height = band.height;
     const Status status = inverse_depth_image(part, out, *options_.kernels);
     if (status != Status::ok) return status;
-    cells_.build_row(inverse_depth_, y / rows, *options_.kernels);
+    cells_.build_row(out, y / rows, *options_.kernels);
   }
   cells_.sum_up(*options_.kernels);
   return Status::ok;
@@ -197,7 +197,7 @@ Status FramePlanes::search_round(const DepthView& depth, const PlaneSearch& sear
   // Step 2.
   const std::span<ProposedPlane> room = candidates_.subspan(count_);
   std::uint32_t proposed = 0;
-  const Status status = search.run(search.user, inverse_depth_, labels, depth.camera, room, proposed);
+  const Status status = search.run(search.user, inverse_depth_, cells_, labels, depth.camera, room, proposed);
   if (status != Status::ok && status != Status::output_full) return status;
   const auto added = std::min(proposed, static_cast<std::uint32_t>(room.size()));
   for (std::uint32_t k = 0; k < added; ++k) {

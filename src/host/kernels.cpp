@@ -22,7 +22,6 @@ constexpr KernelSet all_sets[] = {
      .hough = &avx2_hough_kernels,
      .depth = &avx2_depth_kernels,
      .plane_search = &avx2_plane_search_kernels,
-     .hough_patches = &avx2_hough_patch_kernels,
      .plane_rows = &avx2_plane_row_kernels,
      .picture_rows = &avx2_picture_row_kernels},
     {.name = "avx512",
@@ -31,7 +30,6 @@ constexpr KernelSet all_sets[] = {
      .hough = &avx512_hough_kernels,
      .depth = &avx512_depth_kernels,
      .plane_search = &avx512_plane_search_kernels,
-     .hough_patches = &avx512_hough_patch_kernels,
      .plane_rows = &avx512_plane_row_kernels,
      .picture_rows = &avx512_picture_row_kernels},
 #endif

@@ -54,7 +54,7 @@ Result<PlaneDetector> PlaneDetector::create(Size size, const PlaneDetectorOption
   made.options_.hough = for_frame(options.hough, size, options.frame);
   made.options_.frame.kernels = kernels.depth;
   made.options_.ransac.kernels = kernels.plane_search;
-  made.options_.hough.kernels = kernels.hough_patches;
+  made.options_.hough.kernels = kernels.depth;
   made.frame_ = std::make_unique<FramePlanes>();
   made.ransac_ = std::make_unique<RansacSearch>();
   made.hough_ = std::make_unique<HoughPatchSearch>();

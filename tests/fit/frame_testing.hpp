@@ -28,7 +28,7 @@ struct FakeSearch {
 };
 
 inline PlaneSearch as_search(FakeSearch& fake) {
-  const auto run = [](void* user, ImageView<const float>, ImageView<const std::uint16_t>,
+  const auto run = [](void* user, ImageView<const float>, const DepthCells&, ImageView<const std::uint16_t>,
                       const PinholeCamera&, std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
     auto& search = *static_cast<FakeSearch*>(user);
     ++search.calls;

@@ -251,7 +251,7 @@ TEST_CASE("patches: what a run leaves behind: patches that tile, votes that coun
       for (std::int32_t x = patch.x; x < std::min<std::int32_t>(320, patch.x + patch.side); ++x)
         ++covered.at(x, y);
     }
-    if (patch.votes) votes += hough_patch_vote * patch.moments->n;
+    if (patch.votes) votes += hough_patch_vote * static_cast<double>(patch.cell.n);
   }
   const std::uint8_t* first = covered.view().data;
   CHECK(*std::max_element(first, first + 320 * 240) == 1);

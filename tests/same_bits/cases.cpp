@@ -23,16 +23,14 @@ void for_each_set(Run run) noexcept {
               .hough = &avx2_hough_kernels,
               .ransac = &avx2_ransac_kernels,
               .depth = &avx2_depth_kernels,
-              .plane_search = &avx2_plane_search_kernels,
-              .hough_patches = &avx2_hough_patch_kernels});
+              .plane_search = &avx2_plane_search_kernels});
   run(Kernels{.name = "avx512",
               .runs_here = detail::has_avx512(),
               .canny_rows = &avx512_canny_row_kernels,
               .hough = &avx512_hough_kernels,
               .ransac = &avx512_ransac_kernels,
               .depth = &avx512_depth_kernels,
-              .plane_search = &avx512_plane_search_kernels,
-              .hough_patches = &avx512_hough_patch_kernels});
+              .plane_search = &avx512_plane_search_kernels});
 #endif
 }
 

@@ -6,7 +6,6 @@
 #include "straightedge/canny_row_kernels.hpp"
 #include "straightedge/depth_kernels.hpp"
 #include "straightedge/hough_kernels.hpp"
-#include "straightedge/hough_patch_kernels.hpp"
 #include "straightedge/plane_search_kernels.hpp"
 #include "straightedge/ransac_kernels.hpp"
 
@@ -23,7 +22,6 @@ struct Kernels {
   const straightedge::RansacKernels* ransac = &straightedge::plain_ransac_kernels;
   const straightedge::DepthKernels* depth = &straightedge::plain_depth_kernels;
   const straightedge::PlaneSearchKernels* plane_search = &straightedge::plain_plane_search_kernels;
-  const straightedge::HoughPatchKernels* hough_patches = &straightedge::plain_hough_patch_kernels;
 };
 
 void number_cases(const Report& report) noexcept;

@@ -52,7 +52,7 @@ void frame_plane_cases(const Report& report, const Kernels& kernels) noexcept {
   RansacSearchOptions ransac_search = ransac_options;
   ransac_search.kernels = kernels.plane_search;
   HoughPatchOptions hough_search = hough_options;
-  hough_search.kernels = kernels.hough_patches;
+  hough_search.kernels = kernels.depth;
   RansacSearch ransac;
   HoughPatchSearch hough;
   Hash ready;

@@ -48,7 +48,7 @@ void rows_of(const Report& report, const DepthView& depth, const HoughPatchOptio
 
 void hough_patch_cases(const Report& report, const Kernels& kernels) noexcept {
   const auto with_kernels = [&](HoughPatchOptions chosen) {
-    chosen.kernels = kernels.hough_patches;
+    chosen.kernels = kernels.depth;
     return chosen;
   };
   rows_of(report, depth_picture(), with_kernels(options), ".ball");

@@ -9,7 +9,6 @@
 #include "straightedge/depth_kernels.hpp"
 #include "straightedge/host/result.hpp"
 #include "straightedge/hough_kernels.hpp"
-#include "straightedge/hough_patch_kernels.hpp"
 #include "straightedge/plane_search_kernels.hpp"
 #include "straightedge/ransac_kernels.hpp"
 
@@ -40,7 +39,6 @@ struct KernelSet {
   const HoughKernels* hough = &plain_hough_kernels;
   const DepthKernels* depth = &plain_depth_kernels;
   const PlaneSearchKernels* plane_search = &plain_plane_search_kernels;
-  const HoughPatchKernels* hough_patches = &plain_hough_patch_kernels;
   const PlaneRowKernels* plane_rows = &plain_plane_row_kernels;
   const PictureRowKernels* picture_rows = &plain_picture_row_kernels;
 };

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <span>
 
-#include "straightedge/hough_patch_kernels.hpp"
+#include "straightedge/depth_cells.hpp"
+#include "straightedge/hough_plane_patches.hpp"
 #include "straightedge/image.hpp"
-#include "straightedge/inverse_depth.hpp"
 
 namespace straightedge::hough {
 
@@ -26,13 +26,27 @@ inline bool is_reading(const DepthInput& input, std::int32_t x, std::int32_t y) 
   return is_reading(input.inverse_depth.at(x, y)) && (input.mask.data == nullptr || input.mask.at(x, y) == 0);
 }
 
-/// Sums of the cells of hough_patch_side squared, row by row, u and v from pixel (0, 0). One pass over the
-/// picture. Within a cell q counts from one of its readings, so that float sums lose nothing that matters.
-void sum_cells(const DepthInput& input, const HoughPatchKernels& kernels,
-               std::span<InverseDepthMoments> cells) noexcept;
+/// Squares of 8, 16, 32, 64 pixels, row by row.
+struct PatchLevels {
+  static constexpr std::int32_t count = 4;
+  std::array<DepthCellRows, count> rows;
+  Size size;  ///< of the picture
+  double middle_u = 0, middle_v = 0;
 
-/// Cells of twice the side from four (at the borders fewer) of a level with this many columns and rows.
-void sum_four(std::span<const InverseDepthMoments> fine, Size fine_cells,
-              std::span<InverseDepthMoments> coarse) noexcept;
+  /// How many squares there are across and down.
+  Size squares(std::int32_t level) const noexcept { return DepthCells::size_of(size, level + 1); }
+  const float* readings(std::int32_t level) const noexcept {
+    return rows[static_cast<std::size_t>(level)].first;
+  }
+  DepthCell at(std::int32_t level, std::size_t place) const noexcept {
+    const DepthCellRows& all = rows[static_cast<std::size_t>(level)];
+    return cell_at({all.first + place, all.apart});
+  }
+};
+
+/// Step 1 of hough_plane_patches.hpp. Cells that were made of the same picture (which may be null) serve, if
+/// they are small enough and nothing is masked; else the memory's own are made, in one pass over the picture.
+PatchLevels sum_squares(const DepthInput& input, const DepthCells* made, const DepthKernels& kernels,
+                        detail::HoughPatchMemory& memory) noexcept;
 
 }  // namespace straightedge::hough

@@ -20,8 +20,8 @@ struct PatchSum {
   InverseDepthMoments moments;
   std::uint32_t patches = 0;
 
-  void add(const HoughPatch& patch) noexcept {
-    moments.add(*patch.moments);
+  void add(const PatchScene& scene, const HoughPatch& patch) noexcept {
+    moments.add(moments_of(patch.cell, scene.size.width / 2.0, scene.size.height / 2.0));
     ++patches;
   }
 };
@@ -76,7 +76,7 @@ bool agrees(const PatchScene& scene, const HoughPatch& patch, const InverseDepth
   const double known = u * (aa * u + 2 * (ab * v + ac)) + v * (bb * v + 2 * bc) + cc;
   if (!(known <= most_known * most_known * variance)) return false;
   const double warp = scene.options.warp_sigmas * scene.options.warp_sigmas * variance;
-  const double mean = off * off / (patch.noise / patch.moments->n + known + warp);
+  const double mean = off * off / (patch.noise / readings_of(patch) + known + warp);
   return mean <= most_distance && mean + slope_distance(scene, patch, fit) <= most_distance;
 }
 
@@ -90,7 +90,7 @@ bool fit_sum(const PatchScene& scene, const InverseDepthMoments& sum, InverseDep
 PatchSum grow_from(const PatchScene& scene, const HoughPatch& seed, const Plane& peak,
                    const PatchPool& pool) noexcept {
   PatchSum sum;
-  sum.add(seed);
+  sum.add(scene, seed);
   for (int round = 0; round < most_rounds; ++round) {
     InverseDepthFit fit;
     if (!fit_sum(scene, sum.moments, fit)) break;
@@ -100,7 +100,7 @@ PatchSum grow_from(const PatchScene& scene, const HoughPatch& seed, const Plane&
       const HoughPatch& patch = pool.of(mean);
       const bool good = agrees(scene, patch, fit, known_sigmas) ||
                         (near_peak(scene, patch, peak) && agrees(scene, patch, fit, known_sigmas_near_peak));
-      if (good) next.add(patch);
+      if (good) next.add(scene, patch);
     }
     if (next.patches == 0 || (next.patches == sum.patches && next.moments.n == sum.moments.n)) break;
     sum = next;
@@ -142,7 +142,7 @@ void claim(const PatchScene& scene, std::uint16_t number, PatchPool& pool,
 PatchPool make_pool(std::span<HoughPatch> patches, std::span<HoughPatchMean> means) noexcept {
   for (std::uint32_t i = 0; i < patches.size(); ++i) {
     const HoughPatch& patch = patches[i];
-    const double voters = patch.votes ? patch.moments->n : 0;
+    const double voters = patch.votes ? readings_of(patch) : 0;
     means[i] = {patch.mean_u, patch.mean_v, patch.mean_q, patch.gate, i, static_cast<std::uint32_t>(voters)};
   }
   return {patches, means.first(patches.size())};

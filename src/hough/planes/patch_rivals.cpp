@@ -55,7 +55,7 @@ void add_patch(const PatchScene& scene, const DepthInput& input, const HoughPatc
       patch.y + patch.side < scene.size.height ? patch.y + patch.side : scene.size.height;
   const double gate = scene.gate.sigmas * scene.gate.inverse_noise(patch.mean_q);
   const double most = gate * gate;
-  const double weight = patch.moments->n;
+  const double weight = readings_of(patch);
   Contest sum;
   double readings = 0;
   for (std::int32_t y = patch.y + step / 2; y < low; y += step) {

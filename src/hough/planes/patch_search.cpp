@@ -40,23 +40,13 @@ Status check(Size size, const DepthInput& input, const PinholeCamera& camera) no
   return fits ? Status::ok : Status::size_mismatch;
 }
 
-/// Step 1.
-hough::PatchLevels sum_levels(const DepthInput& input, const HoughPatchOptions& options,
-                              detail::HoughPatchMemory& memory) noexcept {
-  hough::sum_cells(input, *options.kernels, memory.levels[0]);
-  std::int32_t side = hough_patch_side;
-  for (std::size_t level = 1; 2 * side <= options.largest_patch; ++level) {
-    const Size squares{(input.inverse_depth.width + side - 1) / side,
-                       (input.inverse_depth.height + side - 1) / side};
-    hough::sum_four(memory.levels[level - 1], squares, memory.levels[level]);
-    side *= 2;
-  }
-  return {memory.levels[0], memory.levels[1], memory.levels[2], memory.levels[3]};
-}
-
-std::uint32_t count_readings(std::span<const InverseDepthMoments> squares) noexcept {
+std::uint32_t count_readings(const hough::PatchLevels& levels) noexcept {
+  constexpr std::int32_t coarsest = hough::PatchLevels::count - 1;
+  const Size squares = levels.squares(coarsest);
   double readings = 0;
-  for (const InverseDepthMoments& square : squares) readings += square.n;
+  for (std::size_t i = 0; i < DepthCells::cell_count(squares); ++i) {
+    readings += static_cast<double>(levels.readings(coarsest)[i]);
+  }
   return static_cast<std::uint32_t>(readings);
 }
 
@@ -67,7 +57,7 @@ std::span<HoughPatch> cut(const PatchScene& scene, const hough::PatchLevels& lev
   const std::span<HoughPatch> patches = memory.patches.first(count);
   for (HoughPatch& patch : patches) {
     hough::shape_vote(scene, patch);
-    patch.votes = patch.votes && patch.moments->n * smallest_voter >= scene.options.min_pixels;
+    patch.votes = patch.votes && hough::readings_of(patch) * smallest_voter >= scene.options.min_pixels;
   }
   return patches;
 }
@@ -120,7 +110,7 @@ Status grow_peaks(Search& search) noexcept {
 /// Have the free patches together as many readings as a candidate needs?
 bool enough_left(const Search& search) noexcept {
   double readings = 0;
-  for (const HoughPatchMean& mean : search.pool.free) readings += search.pool.of(mean).moments->n;
+  for (const HoughPatchMean& mean : search.pool.free) readings += hough::readings_of(search.pool.of(mean));
   return readings >= search.scene.options.min_pixels;
 }
 
@@ -171,7 +161,8 @@ Status HoughPatchSearch::prepare(HoughPatchSearch& search, Size size, const Houg
 
 HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, const PinholeCamera& camera,
                                        ImageView<const std::uint16_t> mask,
-                                       std::span<ProposedPlane> candidates, HoughPlaneTrace trace) noexcept {
+                                       std::span<ProposedPlane> candidates, HoughPlaneTrace trace,
+                                       const DepthCells* cells) noexcept {
   const DepthInput input{inverse_depth, mask};
   HoughPatchResult result;
   patches_ = 0;
@@ -184,8 +175,8 @@ HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, con
                          memory_.accumulator.directions().cell_size(),
                          options_.max_distance_m / options_.accumulator.distances};
   // Step 1.
-  const hough::PatchLevels levels = sum_levels(input, options_, memory_);
-  result.readings = count_readings(levels[0]);
+  const hough::PatchLevels levels = hough::sum_squares(input, cells, *options_.kernels, memory_);
+  result.readings = count_readings(levels);
   // Step 2.
   const std::span<HoughPatch> patches = cut(scene, levels, memory_);
   patches_ = patches.size();
@@ -211,10 +202,11 @@ HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, con
 
 PlaneSearch plane_search(HoughPatchSearch& search) noexcept {
   return {&search,
-          [](void* user, ImageView<const float> inverse_depth, ImageView<const std::uint16_t> labels,
-             const PinholeCamera& camera, std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
+          [](void* user, ImageView<const float> inverse_depth, const DepthCells& cells,
+             ImageView<const std::uint16_t> labels, const PinholeCamera& camera, std::span<ProposedPlane> out,
+             std::uint32_t& count) noexcept {
             const HoughPatchResult result =
-                static_cast<HoughPatchSearch*>(user)->run(inverse_depth, camera, labels, out);
+                static_cast<HoughPatchSearch*>(user)->run(inverse_depth, camera, labels, out, {}, &cells);
             count = result.candidates;
             return result.status;
           }};

@@ -9,27 +9,31 @@ namespace {
 
 // A square with a smaller share of readings is cut, one of the smallest kind dropped.
 constexpr double least_share = 0.25;
+// With fewer it is passed by at once.
+constexpr float least_readings = 16;
 // Standard deviations by which the residual may exceed the noise.
 constexpr double residual_sigmas = 3;
 // The same for the mean residuals of a square's parts, which a crease or a curve moves together.
 constexpr double parts_sigmas = 3;
 
-/// Sums about the means.
+/// A square's readings in doubles.
 struct Centred {
   double n = 0, u = 0, v = 0, q = 0;
   double uu = 0, uv = 0, vv = 0, uq = 0, vq = 0, qq = 0;
 
-  explicit Centred(const InverseDepthMoments& m) noexcept
-      : n(m.n),
-        u(m.u / m.n),
-        v(m.v / m.n),
-        q(m.q / m.n),
-        uu(m.uu - m.u * u),
-        uv(m.uv - m.u * v),
-        vv(m.vv - m.v * v),
-        uq(m.uq - m.u * q),
-        vq(m.vq - m.v * q),
-        qq(m.qq - m.q * q) {}
+  Centred(const DepthCell& c, const PatchLevels& levels) noexcept
+      : n(number(c.n)),
+        u(number(c.u) + levels.middle_u),
+        v(number(c.v) + levels.middle_v),
+        q(number(c.q)),
+        uu(number(c.uu)),
+        uv(number(c.uv)),
+        vv(number(c.vv)),
+        uq(number(c.uq)),
+        vq(number(c.vq)),
+        qq(number(c.qq)) {}
+
+  static double number(float x) noexcept { return static_cast<double>(x); }
 };
 
 struct Square {
@@ -48,20 +52,14 @@ class Tree {
   std::size_t size() const noexcept { return size_; }
 
  private:
-  std::int32_t columns(std::int32_t level) const noexcept {
-    const std::int32_t side = hough_patch_side << level;
-    return (scene_.size.width + side - 1) / side;
+  /// False: beyond the picture.
+  bool find(const Square& s, std::size_t& place) const noexcept {
+    const Size squares = levels_.squares(s.level);
+    place = static_cast<std::size_t>(s.row) * static_cast<std::size_t>(squares.width) +
+            static_cast<std::size_t>(s.column);
+    return s.column < squares.width && s.row < squares.height;
   }
-  std::int32_t rows(std::int32_t level) const noexcept {
-    const std::int32_t side = hough_patch_side << level;
-    return (scene_.size.height + side - 1) / side;
-  }
-  const InverseDepthMoments* at(const Square& s) const noexcept {
-    if (s.column >= columns(s.level) || s.row >= rows(s.level)) return nullptr;
-    return &levels_[static_cast<std::size_t>(s.level)]
-                   [static_cast<std::size_t>(s.row * columns(s.level) + s.column)];
-  }
-  bool planar(const Square& s, const InverseDepthMoments& m) noexcept;
+  bool planar(const Square& s, const DepthCell& cell) noexcept;
   bool parts_agree(const Square& s, const InverseDepthPlane& plane, double noise) const noexcept;
 
   const PatchScene& scene_;
@@ -74,9 +72,9 @@ class Tree {
 void Tree::cut(std::int32_t column, std::int32_t row, std::int32_t top) noexcept {
   Square s{top, column, row};
   for (;;) {
-    const InverseDepthMoments* m = at(s);
-    const bool some = m != nullptr && m->n >= 16;
-    if (some && !planar(s, *m) && s.level > bottom_) {
+    std::size_t place = 0;
+    const bool some = find(s, place) && levels_.readings(s.level)[place] >= least_readings;
+    if (some && !planar(s, levels_.at(s.level, place)) && s.level > bottom_) {
       s = {s.level - 1, 2 * s.column, 2 * s.row};
       continue;
     }
@@ -94,10 +92,10 @@ void Tree::cut(std::int32_t column, std::int32_t row, std::int32_t top) noexcept
   }
 }
 
-bool Tree::planar(const Square& s, const InverseDepthMoments& m) noexcept {
+bool Tree::planar(const Square& s, const DepthCell& cell) noexcept {
   const std::int32_t side = hough_patch_side << s.level;
-  if (m.n < least_share * side * side) return false;
-  const Centred c(m);
+  const Centred c(cell, levels_);
+  if (c.n < least_share * side * side) return false;
   const double determinant = c.uu * c.vv - c.uv * c.uv;
   // Readings along a line say nothing across it.
   if (!(determinant > 0.02 * c.uu * c.vv) || !(c.uu > c.n) || !(c.vv > c.n)) return false;
@@ -117,7 +115,7 @@ bool Tree::planar(const Square& s, const InverseDepthMoments& m) noexcept {
   patch.x = s.column * side;
   patch.y = s.row * side;
   patch.side = side;
-  patch.moments = &m;
+  patch.cell = cell;
   patch.plane = plane;
   patch.mean_u = c.u;
   patch.mean_v = c.v;
@@ -134,13 +132,15 @@ bool Tree::parts_agree(const Square& s, const InverseDepthPlane& plane, double n
   const std::int32_t across = 1 << deeper;
   double sum = 0, parts = 0;
   for (std::int32_t i = 0; i < across * across; ++i) {
-    const InverseDepthMoments* m =
-        at({s.level - deeper, across * s.column + i % across, across * s.row + i / across});
-    if (m == nullptr || m->n < 16) continue;
-    const double residual = m->q - plane.a * m->u - plane.b * m->v - plane.c * m->n;
-    sum += residual * residual / (noise * m->n);  // (residual / n)² against noise / n
+    const Square part{s.level - deeper, across * s.column + i % across, across * s.row + i / across};
+    std::size_t place = 0;
+    if (!find(part, place) || levels_.readings(part.level)[place] < least_readings) continue;
+    const Centred c(levels_.at(part.level, place), levels_);
+    const double residual = c.q - plane.at(c.u, c.v);
+    sum += c.n * (residual * residual);
     ++parts;
   }
+  sum /= noise;  // each residual² against noise / n
   const double freedom = parts > 4 ? parts - 3 : 1;
   return sum <= freedom + parts_sigmas * square_root(2 * freedom);
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 
+#include "hough/planes/patch_cells.hpp"
 #include "straightedge/depth_view.hpp"
 #include "straightedge/hough_plane_patch.hpp"
 #include "straightedge/image.hpp"
@@ -32,8 +32,9 @@ struct PatchScene {
   }
 };
 
-/// Sums over squares of 8, 16, 32, 64 pixels.
-using PatchLevels = std::array<std::span<const InverseDepthMoments>, 4>;
+inline double readings_of(const HoughPatch& patch) noexcept {
+  return static_cast<double>(patch.cell.n);
+}
 
 /// Step 2 of hough_plane_patches.hpp. Returns how many patches were written.
 std::size_t make_patches(const PatchScene& scene, const PatchLevels& levels,

@@ -80,7 +80,7 @@ void cast_vote(const HoughPatch& patch, HoughAccumulator& accumulator) noexcept 
   // The kernel's integral over the tangent plane is 2 pi sqrt(det of the covariance), a cell's area 4 pi by
   // their number.
   const double share = 2 * square_root(uu * vv - uv * uv) / directions.size();
-  const double scale = hough_patch_vote * patch.moments->n * share;
+  const double scale = hough_patch_vote * readings_of(patch) * share;
   directions.for_near(patch.space.normal, patch.reach_rad, [&](std::int32_t cell) noexcept {
     const Vector3& n = directions.centre(cell);
     const double rest = 1 - kernel_distance(patch, n) * (1 / vote_reach_squared);
