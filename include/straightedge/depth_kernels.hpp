@@ -79,8 +79,8 @@ struct DepthKernels {
   /// scale / raw, rounded once; 0 where raw is 0.
   void (*invert)(const std::uint16_t* raw, std::int32_t width, float scale, float* inverse) noexcept;
 
-  /// A row's readings, which are above 0 and at most `most`, as they are, and 0 for the rest and where the mask
-  /// (which may be null) is not 0.
+  /// A row's readings, which are above 0 and at most `most`, as they are, and 0 for the rest and where the
+  /// mask (which may be null) is not 0.
   void (*keep_readings)(const float* inverse, const std::uint16_t* mask, std::int32_t width, float most,
                         float* kept) noexcept;
   /// The squares of side 4, 8 or 16 that lie in a row from the corner on, which is at (left, top) from the

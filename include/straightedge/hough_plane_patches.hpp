@@ -107,8 +107,8 @@ class HoughPatchSearch {
   static Status prepare(HoughPatchSearch& search, Size size, const HoughPatchOptions& options,
                         std::span<std::byte> workspace) noexcept;
 
-  /// `inverse_depth` as of inverse_depth_image; `mask` may be null. Cells of all its readings save step 1 where
-  /// nothing is masked.
+  /// `inverse_depth` as of inverse_depth_image; `mask` may be null. Cells of all its readings save step 1
+  /// where nothing is masked.
   HoughPatchResult run(ImageView<const float> inverse_depth, const PinholeCamera& camera,
                        ImageView<const std::uint16_t> mask, std::span<ProposedPlane> candidates,
                        HoughPlaneTrace trace = {}, const DepthCells* cells = nullptr) noexcept;

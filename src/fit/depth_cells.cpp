@@ -90,8 +90,7 @@ void DepthCells::build_row(ImageView<const float> inverse_depth, std::int32_t y,
     const std::size_t place = place_of(cells, 0, y);
     kernels.build_cells(
         {inverse_depth.row(0), inverse_depth.stride / static_cast<std::ptrdiff_t>(sizeof(float))}, pixels,
-        whole_columns, -middle_u_, row.top - middle_v_, rows(finest_, place),
-        counts().subspan(place).data());
+        whole_columns, -middle_u_, row.top - middle_v_, rows(finest_, place), counts().subspan(place).data());
     x = whole_columns;
   }
   for (; x < cells.width; ++x) row.sum(x, place_of(cells, x, y));
@@ -124,8 +123,7 @@ void join_cells(const DepthCellRows& fine, Size from, const DepthCellRows& coars
   for (std::int32_t y = 0; y < to.height; ++y) {
     const std::int32_t down = std::min<std::int32_t>(2, from.height - 2 * y),
                        whole = down == 2 ? from.width / 2 : 0;
-    kernels.join_cells(at(fine, place_of(from, 0, 2 * y)), from.width, whole,
-                       at(coarse, place_of(to, 0, y)));
+    kernels.join_cells(at(fine, place_of(from, 0, 2 * y)), from.width, whole, at(coarse, place_of(to, 0, y)));
     for (std::int32_t x = whole; x < to.width; ++x) {
       CornerCells corner(at(fine, place_of(from, 2 * x, 2 * y)), from.width,
                          std::min<std::int32_t>(2, from.width - 2 * x), down);

@@ -260,10 +260,9 @@ RansacSearchResult RansacSearch::run(ImageView<const float> inverse_depth,
 }
 
 PlaneSearch plane_search(RansacSearch& search) noexcept {
-  return {&search,
-          [](void* user, ImageView<const float> inverse_depth, const DepthCells& /*cells*/,
-             ImageView<const std::uint16_t> labels, const PinholeCamera& /*camera*/,
-             std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
+  return {&search, [](void* user, ImageView<const float> inverse_depth, const DepthCells& /*cells*/,
+                      ImageView<const std::uint16_t> labels, const PinholeCamera& /*camera*/,
+                      std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
             const RansacSearchResult result =
                 static_cast<RansacSearch*>(user)->run(inverse_depth, labels, out);
             count = result.candidates;

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "kernel_testing.hpp"
@@ -28,6 +30,18 @@ bool same_bits(const Numbers& a, const Numbers& b) {
     if (std::bit_cast<std::uint32_t>(a[i]) != std::bit_cast<std::uint32_t>(b[i])) return false;
   }
   return a.size() == b.size();
+}
+
+/// Some of them no readings.
+Numbers pixels_by_chance(Pcg32& random, std::size_t count) {
+  constexpr float odd[] = {0, -0.0F, -1, -std::numeric_limits<float>::infinity(),
+                           std::numeric_limits<float>::quiet_NaN()};
+  const std::uint32_t holes = random.below(4) * 30;
+  Numbers pixels(count);
+  for (float& q : pixels) {
+    q = random.below(100) < holes ? odd[random.below(5)] : static_cast<float>(uniform(random, 0.2, 2));
+  }
+  return pixels;
 }
 
 Numbers room() {
@@ -134,20 +148,35 @@ std::uint16_t expected_label(const DepthCellTask& task, const Surfaces& surfaces
 
 }  // namespace
 
-TEST_CASE("every set of kernels makes whole cells as the plain one") {
-  for_sets_and_seeds(100, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t count) {
-    std::vector<DepthCellSums> sums(count);
-    for (DepthCellSums& s : sums) {
-      s = {uniform(random, 1, 9), uniform(random, 1, 9), uniform(random, 1, 9), uniform(random, 1, 9), 16};
-    }
+TEST_CASE("every set of kernels makes cells as the plain one, and counts their readings") {
+  for_sets_and_seeds(400, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t) {
+    constexpr std::ptrdiff_t stride = 403;
     const std::int32_t side = 4 << random.below(3);
+    const std::size_t count = 1 + random.below(static_cast<std::uint32_t>(400 / side));
+    const std::vector<float> rows = pixels_by_chance(random, static_cast<std::size_t>(side * stride));
     Numbers expected = room(), found = room();
-    const auto cells = static_cast<std::int32_t>(count);
-    plain_depth_kernels.whole_cells(sums.data(), side, cells, -320, 7.5F, {expected.data() + 1, apart});
-    kernels.whole_cells(sums.data(), side, cells, -320, 7.5F, {found.data() + 1, apart});
+    std::vector<std::uint8_t> expected_counts(count + 2, 77), counts = expected_counts;
+    const auto build = [&](const DepthKernels& by, Numbers& cells, std::vector<std::uint8_t>& readings) {
+      by.build_cells({rows.data() + 3, stride}, side, static_cast<std::int32_t>(count), -320, 7.5,
+                     {cells.data() + 1, apart}, readings.data() + 1);
+    };
+    build(plain_depth_kernels, expected, expected_counts);
+    build(kernels, found, counts);
     CHECK(same_bits(found, expected));
+    CHECK(counts == expected_counts);
     CHECK(found[0] == 4711);
     CHECK(found[count + 1] == 4711);
+    CHECK(counts.front() == 77);
+    CHECK(counts.back() == 77);
+    for (std::size_t i = 0; i < count; ++i) {
+      std::int32_t readings = 0;
+      for (std::ptrdiff_t y = 0; y < side; ++y) {
+        const float* row = rows.data() + 3 + y * stride + static_cast<std::ptrdiff_t>(i) * side;
+        readings += static_cast<std::int32_t>(std::count_if(row, row + side, [](float q) { return q > 0; }));
+      }
+      REQUIRE(found[i + 1] == static_cast<float>(readings));
+      REQUIRE(counts[i + 1] == std::min(readings, 255));
+    }
   });
 }
 

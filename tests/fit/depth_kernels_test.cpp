@@ -114,21 +114,22 @@ TEST_CASE("every set of kernels inverts rows as the plain one") {
   });
 }
 
-TEST_CASE("every set of kernels sums cells as the plain one") {
-  for_sets_and_seeds(300, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t) {
-    const std::int32_t side = 4 << random.below(3);
-    const auto cells = 1 + static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(200 / side)));
-    const std::vector<float> rows = rows_by_chance(random, side);
-    std::vector<DepthCellSums> expected(static_cast<std::size_t>(cells)), sums = expected;
-    plain_depth_kernels.sum_cells({rows.data() + 3, stride}, side, cells, expected.data());
-    kernels.sum_cells({rows.data() + 3, stride}, side, cells, sums.data());
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-      CHECK(std::bit_cast<std::array<std::uint64_t, 4>>(
-                std::array{sums[i].q, sums[i].uq, sums[i].vq, sums[i].qq}) ==
-            std::bit_cast<std::array<std::uint64_t, 4>>(
-                std::array{expected[i].q, expected[i].uq, expected[i].vq, expected[i].qq}));
-      CHECK(sums[i].n == expected[i].n);
+TEST_CASE("every set of kernels keeps readings as the plain one, which is as each pixel says") {
+  for_sets_and_seeds(200, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t width) {
+    std::vector<float> rows = rows_by_chance(random, 1);
+    rows[3] = 1e4F;
+    rows[4] = std::nextafter(1e4F, 2e4F);
+    std::vector<std::uint16_t> mask(width + 1);
+    for (std::uint16_t& m : mask) m = static_cast<std::uint16_t>(random.below(3));
+    const bool masked = random.below(2) == 0;
+    std::vector<float> expected(width + 2, 7), kept(width + 2, 7);
+    for (std::size_t x = 0; x < width; ++x) {
+      const float q = rows[x + 3];
+      expected[x + 1] = q > 0 && q <= 1e4F && (!masked || mask[x + 1] == 0) ? q : 0.0F;
     }
+    kernels.keep_readings(rows.data() + 3, masked ? mask.data() + 1 : nullptr,
+                          static_cast<std::int32_t>(width), 1e4F, kept.data() + 1);
+    CHECK(same_bits(kept, expected));
   });
 }
 

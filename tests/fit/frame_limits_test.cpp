@@ -163,8 +163,8 @@ TEST_CASE("a search may fill its span, round after round") {
 
 TEST_CASE("a search that claims more planes than it has room for is not believed") {
   const Room room;
-  const auto boast = [](void*, ImageView<const float>, ImageView<const std::uint16_t>, const PinholeCamera&,
-                        std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
+  const auto boast = [](void*, ImageView<const float>, const DepthCells&, ImageView<const std::uint16_t>,
+                        const PinholeCamera&, std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
     for (ProposedPlane& plane : out) plane = {};
     count = 0xFFFFFFFFU;
     return Status::ok;
@@ -179,8 +179,9 @@ TEST_CASE("a search that claims more planes than it has room for is not believed
 
 TEST_CASE("what a search refuses comes back") {
   const Room room;
-  const auto refuse = [](void*, ImageView<const float>, ImageView<const std::uint16_t>, const PinholeCamera&,
-                         std::span<ProposedPlane>, std::uint32_t&) noexcept { return Status::not_prepared; };
+  const auto refuse = [](void*, ImageView<const float>, const DepthCells&, ImageView<const std::uint16_t>,
+                         const PinholeCamera&, std::span<ProposedPlane>,
+                         std::uint32_t&) noexcept { return Status::not_prepared; };
   Finder finder(size, {});
   Image<std::uint16_t> labels(size);
   std::vector<FoundPlane> planes(8);

@@ -201,10 +201,9 @@ HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, con
 }
 
 PlaneSearch plane_search(HoughPatchSearch& search) noexcept {
-  return {&search,
-          [](void* user, ImageView<const float> inverse_depth, const DepthCells& cells,
-             ImageView<const std::uint16_t> labels, const PinholeCamera& camera, std::span<ProposedPlane> out,
-             std::uint32_t& count) noexcept {
+  return {&search, [](void* user, ImageView<const float> inverse_depth, const DepthCells& cells,
+                      ImageView<const std::uint16_t> labels, const PinholeCamera& camera,
+                      std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
             const HoughPatchResult result =
                 static_cast<HoughPatchSearch*>(user)->run(inverse_depth, camera, labels, out, {}, &cells);
             count = result.candidates;
