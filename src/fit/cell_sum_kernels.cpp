@@ -114,11 +114,11 @@ struct BandSums {
   }
 };
 
-/// Of four pixels above one another, a bit for each reading: how many, and the sums of their places and of
-/// the squares of these. All three in one number, so that they are added up at once.
+/// Of pixels above one another, a bit for each reading: how many, and the sums of their places and of the
+/// squares of these. All three in one number, so that they are added up at once; four rows in a table.
 struct Places {
-  static constexpr std::uint32_t field = 20;
-  std::uint64_t of[16];
+  static constexpr std::uint32_t field = 20, most_bands = 4;
+  std::uint64_t of[most_bands][16];
 
   static constexpr std::int32_t count(std::uint64_t x) noexcept {
     return static_cast<std::int32_t>(x >> 2 * field);
@@ -133,10 +133,12 @@ struct Places {
 
 constexpr Places make_places() noexcept {
   Places places{};
-  for (std::uint64_t bits = 0; bits < 16; ++bits) {
-    for (std::uint64_t v = 0; v < 4; ++v) {
-      if ((bits >> v & 1U) == 0) continue;
-      places.of[bits] += (std::uint64_t{1} << 2 * Places::field) + (v * v << Places::field) + v;
+  for (std::uint64_t k = 0; k < Places::most_bands; ++k) {
+    for (std::uint64_t bits = 0; bits < 16; ++bits) {
+      for (std::uint64_t v = band * k; v < band * k + band; ++v) {
+        if ((bits >> (v - band * k) & 1U) == 0) continue;
+        places.of[k][bits] += (std::uint64_t{1} << 2 * Places::field) + (v * v << Places::field) + v;
+      }
     }
   }
   return places;
@@ -144,25 +146,18 @@ constexpr Places make_places() noexcept {
 
 constexpr Places places = make_places();
 
-/// Sums of cells, u and v from their corners.
-template <std::int32_t side>
+/// Cells; u and v count from their corners.
 struct CellSums {
-  static constexpr std::int32_t most = columns / side, bands = side / band;
-  static constexpr std::int32_t room = most > at_once ? most : at_once;
-  double q[room], uq[room], vq[room], qq[room];
-  double n[room], u[room], v[room], uu[room], uv[room], vv[room];
+  static constexpr std::int32_t most = columns / band;
+  double q[most], uq[most], vq[most], qq[most];
+  double n[most], mean_u[most], mean_v[most];  ///< of the readings' places
+  double uu[most], uv[most], vv[most];         ///< sums of products of their deviations from these
+  float seen[most];
 
-  CellSums(const BandSums& of, const ColumnSums& pixels, std::int32_t count) noexcept {
-    constexpr std::int32_t once = side * (side - 1) / 2, squared = once * (2 * side - 1) / 3;
-    for (std::int32_t i = 0; i < room; ++i) {
-      q[i] = uq[i] = vq[i] = qq[i] = 0;
-      n[i] = side * side;
-      u[i] = v[i] = side * once;
-      uu[i] = vv[i] = side * squared;
-      uv[i] = once * once;
-    }
-    float seen[most];
-    for (std::int32_t i = 0; i < most; ++i) {
+  template <std::int32_t side>
+  void join(const BandSums& of) noexcept {
+    constexpr std::int32_t bands = side / band;
+    for (std::int32_t i = 0; i < most / bands; ++i) {
       double sum = 0, u_sum = 0, below = 0, squares = 0;
       float reads = 0;
       for (std::int32_t k = 0; k < bands; ++k) {
@@ -179,111 +174,118 @@ struct CellSums {
       qq[i] = squares;
       seen[i] = reads;
     }
+  }
+  template <std::int32_t side>
+  void count_places(const ColumnSums& of, std::int32_t count) noexcept {
+    constexpr double pixels = side * side, middle = 0.5 * (side - 1), spread = pixels * (pixels - 1) / 12;
+    for (std::int32_t i = 0; i < most; ++i) {
+      n[i] = pixels;
+      mean_u[i] = mean_v[i] = middle;
+      uu[i] = vv[i] = spread;
+      uv[i] = 0;
+    }
     constexpr float whole = side * ((1 << side) - 1);
     for (std::int32_t i = 0; i < count; ++i) {
-      if (seen[i] != whole) count_places(pixels.seen + i * side, i);
+      if (seen[i] != whole) count_some<side>(of.seen + i * side, i);
     }
   }
-  void count_places(const float* seen, std::int32_t i) noexcept {
-    // Each reading once, u times, u² times; row by row of four pixels.
-    std::int32_t sum = 0, of_u = 0, of_v = 0, of_uu = 0, of_uv = 0, of_vv = 0;
-    for (std::int32_t k = 0; k < bands; ++k) {
-      std::uint64_t once = 0, along = 0, squared = 0;
-      for (std::int32_t x = 0; x < side; ++x) {
-        const std::uint64_t place = places.of[static_cast<std::uint32_t>(seen[x]) >> (band * k) & 15U];
-        const auto weight = static_cast<std::uint64_t>(x);
-        once += place;
-        along += weight * place;
-        squared += weight * weight * place;
+  template <std::int32_t side>
+  void count_some(const float* seen_here, std::int32_t i) noexcept {
+    // From the last column on: column u is u times in `along`, and u (u + 1) / 2 times in `triangle`.
+    std::uint64_t once = 0, along = 0, triangle = 0;
+    for (std::int32_t x = side - 1; x >= 0; --x) {
+      if (x + 1 < side) {
+        along += once;
+        triangle += along;
       }
-      const std::int32_t top = band * k, reads = Places::count(once), down = Places::sum(once);
-      sum += reads;
-      of_u += Places::count(along);
-      of_uu += Places::count(squared);
-      of_v += top * reads + down;
-      of_uv += top * Places::count(along) + Places::sum(along);
-      of_vv += top * (top * reads + 2 * down) + Places::squares(once);
+      const auto bits = static_cast<std::uint32_t>(seen_here[x]);
+      for (std::uint32_t k = 0; k < side / band; ++k) once += places.of[k][bits >> (band * k) & 15U];
     }
-    n[i] = sum;
-    u[i] = of_u;
-    v[i] = of_v;
-    uu[i] = of_uu;
-    uv[i] = of_uv;
-    vv[i] = of_vv;
+    const std::int32_t of_n = Places::count(once), of_u = Places::count(along), of_v = Places::sum(once);
+    const double readings = of_n > 0 ? of_n : 1, u = of_u / readings, v = of_v / readings;
+    n[i] = of_n;
+    mean_u[i] = u;
+    mean_v[i] = v;
+    uu[i] = (2 * Places::count(triangle) - of_u) - u * of_u;
+    uv[i] = Places::sum(along) - u * of_v;
+    vv[i] = Places::squares(once) - v * of_v;
   }
 };
 
 /// Cells as DepthCell holds them, a row of numbers for each kind.
-template <std::int32_t side>
-struct CellMeans {
-  static constexpr std::int32_t room = CellSums<side>::room;
-  float of[DepthCellRows::kinds][room];
+struct CellWriter {
+  const DepthCellRows& out;
+  std::int32_t count;
 
-  /// The first cell's corner is at (left, top).
-  CellMeans(const CellSums<side>& sums, double left, double top) noexcept {
-    double lefts[room];
-    for (std::int32_t i = 0; i < room; ++i) lefts[i] = left + side * i;
-    const auto load = [](const double* from) noexcept {
-      Doubles x;
-      std::memcpy(&x, from, sizeof x);
-      return x;
-    };
-    for (std::int32_t i = 0; i < room; i += at_once) {
-      const auto put = [&](std::int32_t kind, const Doubles& x) noexcept {
-        const Floats rounded = in_floats(x);
-        std::memcpy(of[kind] + i, &rounded, sizeof rounded);
-      };
-      const Doubles n = load(sums.n + i), one = Doubles{} + 1.0, readings = n > Doubles{} ? n : one;
-      const Doubles u = load(sums.u + i), v = load(sums.v + i), q = load(sums.q + i);
-      const Doubles mean_u = u / readings, mean_v = v / readings, mean_q = q / readings;
-      put(0, n);
-      put(1, mean_u + load(lefts + i));
-      put(2, mean_v + top);
-      put(3, mean_q);
-      put(4, load(sums.uu + i) - mean_u * u);
-      put(5, load(sums.uv + i) - mean_u * v);
-      put(6, load(sums.vv + i) - mean_v * v);
-      put(7, load(sums.uq + i) - mean_u * q);
-      put(8, load(sums.vq + i) - mean_v * q);
-      put(9, load(sums.qq + i) - mean_q * q);
+  void put(std::ptrdiff_t kind, std::int32_t i, const Doubles& x) const noexcept {
+    const Floats rounded = in_floats(x);
+    float* to = out.first + kind * out.apart + i;
+    if (i + at_once <= count) {
+      std::memcpy(to, &rounded, sizeof rounded);
+      return;
     }
+    float some[at_once];
+    std::memcpy(some, &rounded, sizeof rounded);
+    for (std::int32_t k = 0; i + k < count; ++k) to[k] = some[k];
   }
-  void write(const DepthCellRows& out, std::uint8_t* counts, std::int32_t count) const noexcept {
-    for (std::ptrdiff_t kind = 0; kind < DepthCellRows::kinds; ++kind) {
-      float* to = out.first + kind * out.apart;
-      for (std::int32_t i = 0; i < count; ++i) to[i] = of[kind][i];
+  static Doubles load(const double* from) noexcept {
+    Doubles x;
+    std::memcpy(&x, from, sizeof x);
+    return x;
+  }
+  /// The first cell's corner is at (left, top).
+  void write(const CellSums& sums, std::int32_t side, double left, double top,
+             std::uint8_t* counts) const noexcept {
+    double lefts[CellSums::most];
+    for (std::int32_t i = 0; i < CellSums::most; ++i) lefts[i] = left + side * i;
+    for (std::int32_t i = 0; i < count; i += at_once) {
+      const Doubles n = load(sums.n + i), one = Doubles{} + 1.0, readings = n > Doubles{} ? n : one;
+      const Doubles u = load(sums.mean_u + i), v = load(sums.mean_v + i);
+      const Doubles q = load(sums.q + i), mean_q = q / readings;
+      put(0, i, n);
+      put(1, i, u + load(lefts + i));
+      put(2, i, v + top);
+      put(3, i, mean_q);
+      put(4, i, load(sums.uu + i));
+      put(5, i, load(sums.uv + i));
+      put(6, i, load(sums.vv + i));
+      put(7, i, load(sums.uq + i) - u * q);
+      put(8, i, load(sums.vq + i) - v * q);
+      put(9, i, load(sums.qq + i) - mean_q * q);
     }
     for (std::int32_t i = 0; i < count; ++i) {
-      counts[i] = static_cast<std::uint8_t>(of[0][i] < 255 ? of[0][i] : 255.0F);
+      counts[i] = static_cast<std::uint8_t>(sums.n[i] < 255 ? sums.n[i] : 255.0);
     }
   }
 };
 
 template <std::int32_t side>
-void build_row(const DepthRows& corner, std::int32_t cells, double left, double top, const DepthCellRows& out,
-               std::uint8_t* counts) noexcept {
-  constexpr std::int32_t most = columns / side;
-  for (std::int32_t first = 0; first < cells; first += most) {
-    const std::int32_t rest = cells - first, count = rest < most ? rest : most;
-    ColumnSums sums;
-    sums.sum_all<side>(corner.first + first * side, corner.stride, count * side);
-    const CellMeans<side> cells_here({BandSums(sums), sums, count}, left + side * first, top);
-    const DepthCellRows to{out.first + first, out.apart};
-    if (count == most) {
-      cells_here.write(to, counts + first, most);
-    } else {
-      cells_here.write(to, counts + first, count);
-    }
-  }
+void sum_some(const DepthRows& corner, std::int32_t count, ColumnSums& of_columns, CellSums& sums) noexcept {
+  of_columns.sum_all<side>(corner.first, corner.stride, count * side);
+  sums.join<side>(BandSums(of_columns));
+  sums.count_places<side>(of_columns, count);
 }
 
 }  // namespace
 
 void build_cells(const DepthRows& corner, std::int32_t side, std::int32_t cells, double left, double top,
                  const DepthCellRows& out, std::uint8_t* counts) noexcept {
-  if (side == 4) return build_row<4>(corner, cells, left, top, out, counts);
-  if (side == 8) return build_row<8>(corner, cells, left, top, out, counts);
-  build_row<16>(corner, cells, left, top, out, counts);
+  const std::int32_t most = columns / side;
+  ColumnSums of_columns;
+  CellSums sums;
+  for (std::int32_t first = 0; first < cells; first += most) {
+    const std::int32_t rest = cells - first, count = rest < most ? rest : most;
+    const DepthRows pixels{corner.first + first * side, corner.stride};
+    if (side == 4) {
+      sum_some<4>(pixels, count, of_columns, sums);
+    } else if (side == 8) {
+      sum_some<8>(pixels, count, of_columns, sums);
+    } else {
+      sum_some<16>(pixels, count, of_columns, sums);
+    }
+    const DepthCellRows to{out.first + first, out.apart};
+    CellWriter{to, count}.write(sums, side, left + side * first, top, counts + first);
+  }
 }
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
