@@ -176,9 +176,9 @@ TEST_CASE("the second round sees what the first left over") {
     std::vector<InverseDepthPlane> planes;
     std::vector<std::uint32_t> free;
   } watch{room.truth, {}};
-  const auto one_a_call = [](void* user, ImageView<const float> q, ImageView<const std::uint16_t> labels,
-                             const PinholeCamera&, std::span<ProposedPlane> out,
-                             std::uint32_t& count) noexcept {
+  const auto one_a_call = [](void* user, ImageView<const float> q, const DepthCells&,
+                             ImageView<const std::uint16_t> labels, const PinholeCamera&,
+                             std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
     auto& w = *static_cast<Watch*>(user);
     std::uint32_t free = 0;
     for (int y = 0; y < q.height; ++y) {
