@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "straightedge/depth_cells.hpp"
+#include "straightedge/depth_cells_cell.hpp"
 #include "straightedge/detail/has_table.hpp"
 #include "straightedge/frame_planes_options.hpp"
 #include "straightedge/hough_accumulator.hpp"

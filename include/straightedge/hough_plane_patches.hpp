@@ -86,7 +86,7 @@ struct HoughPatchMemory {
 /// noise is in 1/z, and the kernel in the tangents of the normal, where no pole is.
 ///
 /// Time: one pass over the pixels, then patches times the cells of their kernels. Votes are integers, so
-/// that no order matters. Memory: 6.2 bytes a pixel and the accumulator.
+/// that no order matters. Memory: 6 bytes a pixel and the accumulator.
 ///
 /// Bad input: invalid_image (null views, a camera that is none), size_mismatch (another size than in
 /// `prepare`), not_prepared. A picture without readings or planes gives an empty

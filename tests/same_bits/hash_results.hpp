@@ -80,8 +80,11 @@ inline void add_to(Hash& hash, const straightedge::PlanesFound& f) noexcept {
 inline void add_to(Hash& hash, const straightedge::HoughPlanePeak& p) noexcept {
   hash.add(p.direction, p.distance, p.votes);
 }
+inline void add_to(Hash& hash, const straightedge::DepthCell& c) noexcept {
+  hash.add(c.n, c.u, c.v, c.q, c.uu, c.uv, c.vv, c.uq, c.vq, c.qq);
+}
 inline void add_to(Hash& hash, const straightedge::HoughPatch& p) noexcept {
-  hash.add(p.x, p.y, p.side, p.candidate, p.votes, *p.moments, p.plane, p.mean_u, p.mean_v, p.mean_q);
+  hash.add(p.x, p.y, p.side, p.candidate, p.votes, p.cell, p.plane, p.mean_u, p.mean_v, p.mean_q);
   hash.add(p.gate, p.noise, p.slope_covariance, p.space, p.point, p.tangent_u, p.tangent_v, p.precision,
            p.reach_rad);
 }

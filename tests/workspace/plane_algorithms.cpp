@@ -217,7 +217,7 @@ Status run_plane_peaks(CallerMemory& memory) {
 }
 
 /// Proposes the walls of the box.
-Status propose_walls(void*, ImageView<const float>, ImageView<const std::uint16_t>,
+Status propose_walls(void*, ImageView<const float>, const DepthCells&, ImageView<const std::uint16_t>,
                      const PinholeCamera& seen_by, std::span<ProposedPlane> out,
                      std::uint32_t& count) noexcept {
   count = 0;
