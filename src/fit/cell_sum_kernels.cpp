@@ -22,8 +22,9 @@ using Doubles = double;
 
 inline Doubles in_doubles(const Floats& x) noexcept {
 #if STRAIGHTEDGE_LANES == 16
-  // GCC 12 takes the builtin's vectors apart where they are as long as this.
-  return Doubles{x[0], x[1], x[2], x[3], x[4], x[5], x[6], x[7]};
+  // One by one: GCC 12 turns this into one instruction, but not the builtin for vectors as long as these.
+  const auto at = [&](int i) noexcept { return static_cast<double>(x[i]); };
+  return Doubles{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
 #elif STRAIGHTEDGE_LANES > 1
   return __builtin_convertvector(x, Doubles);
 #else
