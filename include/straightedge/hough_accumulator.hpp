@@ -25,7 +25,7 @@ struct HoughAccumulatorOptions {
 /// A plane near the origin may come out as (n, d) or, the normal turned round, as (−n, d'): cell 0 of a
 /// direction and cell 0 of its antipode are neighbours. `votes_beside` knows.
 ///
-/// Memory: 4 bytes a cell, 24 for each direction, 40 for each row: 1.3 MB by default.
+/// Memory: 4 bytes a cell, 25 for each direction, 40 for each row: 1.3 MB by default.
 class HoughAccumulator {
  public:
   /// Direction cells times distance cells; 0 when an option is out of range or there are more than 2^28.
@@ -39,11 +39,13 @@ class HoughAccumulator {
   constexpr void take(Arena& arena, const HoughAccumulatorOptions& options) noexcept {
     directions_.take(arena, options.cells, options.rows);
     votes_ = arena.take<std::uint32_t>(cell_count(options));
+    used_ =
+        arena.take<bool>(static_cast<std::size_t>(HoughDirections::cell_count(options.cells, options.rows)));
     distances_ = options.distances;
   }
   /// After `take` on a real arena. No votes, step 1.
   void fill(HoughCells kind) noexcept;
-  /// No votes; the distance cells get this step, metres.
+  /// No votes; the distance cells get this step, metres. Only what was used is cleared.
   void clear(double step_m) noexcept;
 
   const HoughDirections& directions() const noexcept { return directions_; }
@@ -62,8 +64,11 @@ class HoughAccumulator {
   }
 
   std::uint32_t& votes(std::int32_t direction, std::int32_t k) noexcept {
+    used_[static_cast<std::size_t>(direction)] = true;
     return votes_[index(direction, k)];
   }
+  /// False: none of the direction's cells has a vote.
+  bool used(std::int32_t direction) const noexcept { return used_[static_cast<std::size_t>(direction)]; }
   std::uint32_t votes(std::int32_t direction, std::int32_t k) const noexcept {
     return votes_[index(direction, k)];
   }
@@ -103,6 +108,7 @@ class HoughAccumulator {
 
   HoughDirections directions_;
   std::span<std::uint32_t> votes_;
+  std::span<bool> used_;  ///< directions that got a vote
   std::int32_t distances_ = 0;
   double step_m_ = 1, per_step_ = 1;
 };

@@ -129,7 +129,9 @@ Status find_plane_peaks(const HoughAccumulator& accumulator, std::span<const std
   Status status = Status::ok;
   if (least == 0) least = 1;
   const auto distances = static_cast<std::size_t>(accumulator.distances());
+  const bool own = values.data() == accumulator.votes().data();
   for (std::int32_t direction = 0; direction < accumulator.directions().size(); ++direction) {
+    if (own && !accumulator.used(direction)) continue;
     const auto row = values.subspan(static_cast<std::size_t>(direction) * distances, distances);
     if (all_below(row, least)) continue;
     for (std::int32_t k = 0; k < accumulator.distances(); ++k) {
