@@ -6,8 +6,9 @@
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
-constexpr std::int32_t columns = 64;  // that are summed at once: their sums lie on the stack
-constexpr std::int32_t band = 4;      // rows or columns that are summed before they meet others
+// That are summed at once: their sums lie on the stack, which is small where one lane is all there is.
+constexpr std::int32_t columns = lanes > 1 ? 64 : 32;
+constexpr std::int32_t band = 4;  // rows or columns that are summed before they meet others
 
 // As many floats and doubles at once as the registers hold of doubles.
 #if STRAIGHTEDGE_LANES > 1
