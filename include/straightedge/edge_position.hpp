@@ -24,18 +24,11 @@ struct EdgePoint {
   std::int16_t dy = 0;
 };
 
-/// Edge pixels that were looked at once for many readers.
-struct EdgeTable {
-  ImageView<const std::uint32_t> numbers;  ///< of each edge pixel; anything elsewhere
-  const EdgePoint* points = nullptr;       ///< by number
-};
-
 /// What Canny leaves behind: the gradient (right minus left, below minus above) and its magnitude.
 struct GradientField {
   ImageView<const std::int16_t> x;
   ImageView<const std::int16_t> y;
   ImageView<const std::int32_t> magnitude;
-  const EdgeTable* table = nullptr;  ///< may hold what edge_point says of all edge pixels
 
   bool valid() const noexcept {
     return x.valid() && y.valid() && magnitude.valid() && x.size() == y.size() &&
@@ -56,9 +49,8 @@ struct GradientField {
 /// INRIA RR-2724, 1995. Within two pixels of the image's border the pixel's centre is returned.
 EdgePosition edge_position(const GradientField& field, std::int32_t x, std::int32_t y) noexcept;
 
-/// The same with the gradient, by the field's table where it has one.
+/// The same with the gradient.
 inline EdgePoint edge_point(const GradientField& field, std::int32_t x, std::int32_t y) noexcept {
-  if (field.table != nullptr) return field.table->points[field.table->numbers.at(x, y)];
   const EdgePosition edge = edge_position(field, x, y);
   return {edge.x, edge.y, 1 / edge.variance, field.x.at(x, y), field.y.at(x, y)};
 }

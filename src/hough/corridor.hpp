@@ -4,10 +4,14 @@
 
 #include <cstdint>
 
-#include "straightedge/edge_position.hpp"
 #include "straightedge/image.hpp"
 
-namespace straightedge {
+namespace straightedge::refitting {
+
+/// Right minus left, below minus above.
+struct EdgeGradient {
+  double dx = 0, dy = 0;
+};
 
 /// A strip of pixels along a directed line: through (px, py), light side towards the unit normal (nx, ny),
 /// travelling along (−ny, nx).
@@ -23,25 +27,24 @@ struct Corridor {
   double along(double x, double y) const noexcept { return (x - px) * tx() + (y - py) * ty(); }
   double across(double x, double y) const noexcept { return (x - px) * nx + (y - py) * ny; }
 
-  /// Whether the gradient at the pixel points to the light side.
-  bool faces_light(const GradientField& field, std::int32_t x, std::int32_t y) const noexcept {
-    return faces_light(field.x.at(x, y), field.y.at(x, y));
-  }
-  bool faces_light(double gx, double gy) const noexcept {
+  /// Whether a gradient points to the light side.
+  bool faces_light(const EdgeGradient& gradient) const noexcept {
+    const double gx = gradient.dx, gy = gradient.dy;
     const double toward = gx * nx + gy * ny;
     return toward > 0 && toward * toward >= cos_max_angle * cos_max_angle * (gx * gx + gy * gy);
   }
 };
 
-/// Visits the pixels of a mask within a corridor's width, step by step along its major axis: a column a step,
-/// or a row where the line is steep.
+/// Visits the edge pixels within a corridor's width, step by step along its major axis: a column a step, or a
+/// row where the line is steep.
+template <class Edges>
 class CorridorSteps {
  public:
-  CorridorSteps(GrayView mask, const Corridor& strip) noexcept
-      : mask_(mask),
+  CorridorSteps(const Edges& edges, const Corridor& strip) noexcept
+      : edges_(edges),
         steep_(strip.steep()),
-        steps_(steep_ ? mask.height : mask.width),
-        last_((steep_ ? mask.width : mask.height) - 1),
+        steps_(steep_ ? edges.size().height : edges.size().width),
+        last_((steep_ ? edges.size().width : edges.size().height) - 1),
         slope_(steep_ ? strip.ny / strip.nx : strip.nx / strip.ny),
         from_(steep_ ? strip.py : strip.px),
         at_(steep_ ? strip.px : strip.py),
@@ -57,21 +60,18 @@ class CorridorSteps {
     auto hi = static_cast<std::int32_t>(centre + reach_) + 1;
     if (lo < 0) lo = 0;
     if (hi > last_) hi = last_;
-    const std::ptrdiff_t stride = steep_ ? 1 : mask_.stride;
-    const std::uint8_t* pixel = steep_ ? mask_.row(k) + lo : mask_.row(lo) + k;
-    for (std::int32_t m = lo; m <= hi; ++m, pixel += stride)
-      if (*pixel != 0) visit(steep_ ? m : k, steep_ ? k : m);
+    edges_.for_each(steep_, k, lo, hi, visit);
     return true;
   }
 
  private:
   static double size_of(double x) noexcept { return x < 0 ? -x : x; }
 
-  GrayView mask_;
+  const Edges& edges_;
   bool steep_;
   std::int32_t steps_;
   std::int32_t last_;
   double slope_, from_, at_, reach_;
 };
 
-}  // namespace straightedge
+}  // namespace straightedge::refitting

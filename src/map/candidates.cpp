@@ -3,9 +3,9 @@
 #include "map/candidates.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "map/select.hpp"
+
 namespace straightedge {
 namespace {
 
@@ -19,34 +19,24 @@ HoughOptions relaxed(HoughOptions options) {
   return options;
 }
 
-void copy_mask(GrayView image, Image<std::uint8_t>& copy) {
-  if (copy.size() != image.size()) copy = Image<std::uint8_t>::for_overwrite(image.size());
-  for (std::int32_t y = 0; y < image.height; ++y)
-    std::memcpy(copy.view().row(y), image.row(y), static_cast<std::size_t>(image.width));
-}
-
 }  // namespace
 
 Status find_edges(GrayView edges, const GradientField& field, const LineMapOptions& options,
                   const KernelSet& kernels, EdgeRoom& room, std::vector<WallLine>& lines,
                   LineMapReport& report) {
-  copy_mask(edges, room.mask);
-  room.points.find(edges, field, kernels);
-  GradientField with_table = field;
-  with_table.table = &room.points.table();
+  room.points.find(edges, field, options.canny.norm, kernels);
   HoughOptions hough = first_round(options);
   hough.kernels = kernels.hough;
   RefitOptions refit;
   refit.max_gap = std::min(options.max_gap, 8.0);
   for (int round = 0; round < max_rounds; ++round) {
-    const std::span<const HoughSegment> rough = room.hough.run(room.mask, {field.x, field.y}, hough);
+    const std::span<const HoughSegment> rough = room.hough.run(room.points.mask(), {field.x, field.y}, hough);
     if (room.hough.result.status != Status::ok) return room.hough.result.status;
     if (round == 0) report.hough = room.hough.result;
     ++report.rounds;
     if (rough.empty()) break;
     report.candidates += room.hough.result.segments;
-    const std::vector<WallLine> found =
-        select_edges(rough, with_table, refit, shortest_edge, room.mask.view());
+    const std::vector<WallLine> found = select_edges(rough, refit, shortest_edge, room.points);
     lines.insert(lines.end(), found.begin(), found.end());
     if (round == 0) hough = relaxed(hough);
   }

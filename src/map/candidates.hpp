@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "map/edge_table.hpp"
+#include "map/edge_points.hpp"
 #include "map/hough_room.hpp"
 #include "map/wall_line.hpp"
 #include "straightedge/host/image.hpp"
@@ -15,13 +15,13 @@ namespace straightedge {
 /// What finding edges needs, kept from one picture to the next.
 struct EdgeRoom {
   EdgePoints points;
-  Image<std::uint8_t> mask;
   HoughRoom hough;
 };
 
 /// From edge pixels to straight edges: rounds of the Hough transform, each on the pixels that the one before
 /// left, with lower demands after the first. Every segment is refit between the pixels and takes its own.
-/// The report gets the counts. Statuses are those of HoughLines.
+/// An empty magnitude of the field: that of its gradient, by the norm of the options. The report gets the
+/// counts. Statuses are those of HoughLines.
 Status find_edges(GrayView edges, const GradientField& field, const LineMapOptions& options,
                   const KernelSet& kernels, EdgeRoom& room, std::vector<WallLine>& lines,
                   LineMapReport& report);

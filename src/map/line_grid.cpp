@@ -3,6 +3,7 @@
 #include "map/line_grid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace straightedge {
@@ -14,8 +15,11 @@ constexpr double side = 32;
 constexpr double before_first = -16;
 constexpr double behind_last = 1040;
 
+/// Rounded down.
 std::int32_t cell_at(double position) {
-  return static_cast<std::int32_t>(std::clamp(std::floor(position / side), before_first, behind_last));
+  const double cell = std::clamp(position / side, before_first, behind_last);
+  const auto towards_zero = static_cast<std::int32_t>(cell);
+  return towards_zero - (cell < towards_zero ? 1 : 0);
 }
 
 }  // namespace
@@ -28,11 +32,6 @@ void LineGrid::walk(const WallLine& line, const Visit& visit) const {
     const double s = line.begin + line.length() * k / steps;
     visit(Cell{cell_at(line.x_at(s)), cell_at(line.y_at(s))});
   }
-}
-
-std::size_t LineGrid::number_of(Cell cell) const {
-  return static_cast<std::size_t>(cell.row - first_.row) * static_cast<std::size_t>(columns_) +
-         static_cast<std::size_t>(cell.column - first_.column);
 }
 
 LineGrid::LineGrid(const std::vector<WallLine>& lines, double reach)
@@ -63,29 +62,36 @@ LineGrid::LineGrid(const std::vector<WallLine>& lines, double reach)
   for (const auto& [cell, line] : passes) indices_[next[number_of(cell)]++] = line;
 }
 
+/// Marks the lines of the cells of one row, from one column to another.
+void LineGrid::mark(std::int32_t row, std::int32_t from, std::int32_t to,
+                    std::vector<std::uint64_t>& marks) const {
+  if (from > to) return;
+  // The cells of a row lie one behind the other, and so do their lines.
+  const std::uint32_t end = starts_[number_of({to, row}) + 1];
+  for (std::uint32_t k = starts_[number_of({from, row})]; k < end; ++k)
+    marks[indices_[k] / 64] |= std::uint64_t{1} << indices_[k] % 64;
+}
+
 std::vector<std::size_t> LineGrid::near(const WallLine& line) const {
-  std::vector<std::size_t> found;
-  std::vector<char> listed(lines_);
-  Cell before{INT32_MIN, INT32_MIN};
+  std::vector<std::uint64_t> marks((lines_ + 63) / 64);
+  std::int32_t left = 0, right = -1, top = 0, bottom = -1;  // what was looked at last
   walk(line, [&](Cell cell) {
-    if (cell == before) return;
-    before = cell;
-    const std::int32_t left = std::max(cell.column - ring_, first_.column);
-    const std::int32_t right = std::min(cell.column + ring_, first_.column + columns_ - 1);
-    const std::int32_t top = std::max(cell.row - ring_, first_.row);
-    const std::int32_t bottom = std::min(cell.row + ring_, first_.row + rows_ - 1);
-    if (left > right) return;
+    const std::int32_t old_left = left, old_right = right, old_top = top, old_bottom = bottom;
+    left = std::max(cell.column - ring_, first_.column);
+    right = std::min(cell.column + ring_, first_.column + columns_ - 1);
+    top = std::max(cell.row - ring_, first_.row);
+    bottom = std::min(cell.row + ring_, first_.row + rows_ - 1);
     for (std::int32_t row = top; row <= bottom; ++row) {
-      // The cells of a row lie one behind the other, and so do their lines.
-      const std::uint32_t end = starts_[number_of({right, row}) + 1];
-      for (std::uint32_t k = starts_[number_of({left, row})]; k < end; ++k) {
-        const std::uint32_t i = indices_[k];
-        if (listed[i] == 0) found.push_back(i);
-        listed[i] = 1;
-      }
+      const bool known = row >= old_top && row <= old_bottom && old_left <= old_right;
+      mark(row, left, known ? std::min(right, old_left - 1) : right, marks);
+      if (known) mark(row, std::max(left, old_right + 1), right, marks);
     }
   });
-  std::sort(found.begin(), found.end());
+  std::vector<std::size_t> found;
+  for (std::size_t word = 0; word < marks.size(); ++word) {
+    for (std::uint64_t bits = marks[word]; bits != 0; bits &= bits - 1)
+      found.push_back(word * 64 + static_cast<std::size_t>(std::countr_zero(bits)));
+  }
   return found;
 }
 

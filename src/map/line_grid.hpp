@@ -29,7 +29,11 @@ class LineGrid {
   };
   template <class Visit>
   void walk(const WallLine& line, const Visit& visit) const;
-  std::size_t number_of(Cell cell) const;
+  std::size_t number_of(Cell cell) const {
+    return static_cast<std::size_t>(cell.row - first_.row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(cell.column - first_.column);
+  }
+  void mark(std::int32_t row, std::int32_t from, std::int32_t to, std::vector<std::uint64_t>& marks) const;
 
   std::int32_t ring_;
   std::size_t lines_;

@@ -44,24 +44,27 @@ Failure failure_of(const char* stage, Status status) {
 
 struct Edges {
   EdgePlanes planes;
-  Image<std::int32_t> sharpness;  ///< magnitude of the picture as given
+  Image<std::int32_t> sharpness;  ///< magnitude of the picture as given, where that is another one
+  bool as_given = true;           ///< the planes are those of the picture as given
 
   /// Directions from the stretched picture, positions from the one as given: stretching cuts off the light
   /// end of each edge and would move it towards the dark.
-  GradientField field() const { return {planes.dx, planes.dy, sharpness}; }
+  GradientField field() const {
+    if (as_given) return {planes.dx, planes.dy, {}};
+    return {planes.dx, planes.dy, sharpness};
+  }
 };
 
 Status detect_edges(const Picture& picture, const CannyOptions& options, const KernelSet& kernels,
                     Edges& edges) {
   // Where stretching has cut nothing off, the stretched picture has its edges where the given one has them.
+  edges.as_given = !picture.clipped;
   if (picture.clipped) {
     const Status status = edges.planes.detect(picture.gray, options, kernels);
     if (status != Status::ok) return status;
     edges.planes.magnitude(options.norm, edges.sharpness);
   }
-  const Status status = edges.planes.detect(picture.stretched, options, kernels);
-  if (status == Status::ok && !picture.clipped) edges.planes.magnitude(options.norm, edges.sharpness);
-  return status;
+  return edges.planes.detect(picture.stretched, options, kernels);
 }
 
 /// Steps 4 to 6: what only a map can tell, for only there dark means wall.

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "base/kernel_set.hpp"
-#include "map/picture_rows.hpp"
+#include "map/line_kernels.hpp"
 
 namespace straightedge {
 namespace STRAIGHTEDGE_KERNEL_SET {
@@ -117,6 +117,8 @@ constinit const PictureRowKernels STRAIGHTEDGE_OF_SET(_picture_row_kernels){
     .count_grain = &STRAIGHTEDGE_KERNEL_SET::count_grain,
     .find_lone = &STRAIGHTEDGE_KERNEL_SET::find_lone,
     .block_medians = &STRAIGHTEDGE_KERNEL_SET::block_medians,
+    .edge_places = &STRAIGHTEDGE_KERNEL_SET::edge_places,
+    .sample = &STRAIGHTEDGE_KERNEL_SET::sample,
 };
 
 }  // namespace straightedge

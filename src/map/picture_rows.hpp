@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
-/// The loops over all pixels by which a line map understands its picture: a table of functions for each
-/// instruction set. All tables give the same numbers.
+/// The loops by which a line map reads its picture, over all pixels, edge pixels, or along a line: a table of
+/// functions for each instruction set. All tables give the same numbers.
 namespace straightedge {
 
 /// The gray `black` and what is darker becomes 0, `black + span` and what is lighter 255.
@@ -18,6 +19,29 @@ struct GrayStretch {
 struct GrainCount {
   std::int64_t pairs = 0;
   std::int64_t same = 0;  ///< of them those of one gray
+};
+
+/// Edge pixels whose positions are found together.
+struct EdgeBatch {
+  static constexpr std::int32_t room = 256;
+  static constexpr std::int32_t around = 5;
+  std::int32_t count = 0;
+  std::int32_t x[room], y[room];
+  std::int16_t dx[room], dy[room];
+  /// At the pixel, in the middle, and two to both sides of it across the edge; 0 too near to the border.
+  std::int32_t magnitude[around][room];
+  double place_x[room], place_y[room], weight[room];  ///< the results
+};
+
+/// A straight way through a picture of at least 2x2 pixels: at step s lies the place
+/// (x + s · step_x + aside_x, y + s · step_y + aside_y).
+struct SampleWay {
+  const std::uint8_t* pixels = nullptr;
+  std::ptrdiff_t stride = 0;
+  std::int32_t width = 0, height = 0;
+  double x = 0, y = 0;
+  double step_x = 0, step_y = 0;
+  double aside_x = 0, aside_y = 0;
 };
 
 struct PictureRowKernels {
@@ -33,6 +57,12 @@ struct PictureRowKernels {
   /// Medians of 4x4 blocks side by side, `count` of them, from these four rows on; the upper one of the two
   /// in the middle.
   void (*block_medians)(const std::uint8_t* const* rows, std::int32_t count, std::uint8_t* medians) noexcept;
+
+  /// edge_position of every pixel of the batch, and 1 / variance.
+  void (*edge_places)(EdgeBatch& batch) noexcept;
+
+  /// The gray between the pixels at these steps, bilinear; places beyond the border have the border's.
+  void (*sample)(const SampleWay& way, const double* steps, std::int32_t count, double* gray) noexcept;
 };
 
 extern const PictureRowKernels plain_picture_row_kernels;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <numeric>
 
+#include "hough/refit_recipe.hpp"
+
 namespace straightedge {
 namespace {
 
@@ -23,9 +25,8 @@ bool carries(const RefinedSegment& segment, double min_length) {
 
 }  // namespace
 
-std::vector<WallLine> select_edges(std::span<const HoughSegment> rough, const GradientField& field,
-                                   const RefitOptions& options, double min_length,
-                                   ImageView<std::uint8_t> mask) {
+std::vector<WallLine> select_edges(std::span<const HoughSegment> rough, const RefitOptions& options,
+                                   double min_length, EdgePoints& points) {
   // Step 1.
   std::vector<std::size_t> order(rough.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -34,9 +35,9 @@ std::vector<WallLine> select_edges(std::span<const HoughSegment> rough, const Gr
   std::vector<WallLine> edges;
   for (const std::size_t i : order) {  // Step 2
     RefinedSegment segment;
-    if (refit_segment(mask, field, rough[i], options, segment) != Status::ok) continue;
+    if (refitting::refit(points, rough[i], options, segment) != Status::ok) continue;
     if (!carries(segment, min_length)) continue;
-    claim_pixels(mask, field, segment, claim_corridor, claim_angle, claim_margin);
+    refitting::claim(points, segment, claim_corridor, claim_angle, claim_margin);
     edges.push_back(wall_line_from(segment, static_cast<std::uint32_t>(std::max(rough[i].votes, 0))));
   }
   return edges;

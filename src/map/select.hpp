@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "map/edge_points.hpp"
 #include "map/wall_line.hpp"
-#include "straightedge/host/image.hpp"
 #include "straightedge/hough_lines.hpp"
 
 namespace straightedge {
@@ -16,9 +16,8 @@ namespace straightedge {
 /// 1. The rough segments with most pixels come first.
 /// 2. Refit one after the other on the pixels that are still free. If enough are left to carry it, it is an
 ///    edge, and its pixels are taken.
-/// So a duplicate finds nothing to stand on. `mask` keeps the pixels that nobody took.
-std::vector<WallLine> select_edges(std::span<const HoughSegment> rough, const GradientField& field,
-                                   const RefitOptions& options, double min_length,
-                                   ImageView<std::uint8_t> mask);
+/// So a duplicate finds nothing to stand on. `points` keep the pixels that nobody took.
+std::vector<WallLine> select_edges(std::span<const HoughSegment> rough, const RefitOptions& options,
+                                   double min_length, EdgePoints& points);
 
 }  // namespace straightedge

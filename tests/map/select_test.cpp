@@ -16,10 +16,10 @@ namespace {
 
 constexpr Size size{160, 120};
 
-std::uint32_t set_pixels(const Image<std::uint8_t>& mask) {
+std::uint32_t set_pixels(GrayView mask) {
   std::uint32_t count = 0;
-  for (int y = 0; y < mask.height(); ++y) {
-    for (int x = 0; x < mask.width(); ++x) count += mask.at(x, y) != 0 ? 1 : 0;
+  for (int y = 0; y < mask.height; ++y) {
+    for (int x = 0; x < mask.width; ++x) count += mask.at(x, y) != 0 ? 1 : 0;
   }
   return count;
 }
@@ -30,36 +30,39 @@ support::EdgeScene box() {
   return support::EdgeScene(canvas.picture());
 }
 
+EdgePoints points_of(const support::EdgeScene& scene) {
+  EdgePoints points;
+  points.find(scene.mask, scene.field(), GradientNorm::l1, best_kernels());
+  return points;
+}
+
 }  // namespace
 
 TEST_CASE("rough duplicates of one edge give one edge, its pixels taken") {
-  support::EdgeScene scene = box();
+  const support::EdgeScene scene = box();
   const std::uint32_t before = set_pixels(scene.mask);
   const std::vector<HoughSegment> rough{{60, 39, 100, 39, 30, 40},
                                         {45, 40, 90, 39, 20, 40},
                                         {70, 39, 118, 40, 25, 40},
                                         {50, 40, 110, 40, 60, 40}};
-  const auto edges = select_edges(rough, scene.field(), {}, 6, scene.mask.view());
+  EdgePoints points = points_of(scene);
+  const auto edges = select_edges(rough, {}, 6, points);
   REQUIRE(edges.size() == 1);
   CHECK(edges[0].fit.centroid_y == Approx(39.5).margin(0.05));
   CHECK(edges[0].ny == Approx(-1).margin(1e-3));  // light above
   CHECK(edges[0].length() == Approx(80).margin(6));
-  const std::uint32_t taken = before - set_pixels(scene.mask);
+  const std::uint32_t taken = before - set_pixels(points.mask());
   CHECK(taken >= edges[0].pixels);
   CHECK(taken <= edges[0].pixels + 8);
 }
 
 TEST_CASE("edges shorter than asked for and rough segments on nothing are left out, their pixels free") {
-  support::EdgeScene scene = box();
-  const Image<std::uint8_t> before = scene.mask;
-  CHECK(select_edges(std::vector<HoughSegment>{{60, 39, 100, 39, 1, 1}}, scene.field(), {}, 100,
-                     scene.mask.view())
-            .empty());
-  CHECK(select_edges(std::vector<HoughSegment>{{60, 10, 100, 10, 1, 1}}, scene.field(), {}, 6,
-                     scene.mask.view())
-            .empty());
-  CHECK(select_edges({}, scene.field(), {}, 6, scene.mask.view()).empty());
-  CHECK(scene.mask == before);
+  const support::EdgeScene scene = box();
+  EdgePoints points = points_of(scene);
+  CHECK(select_edges(std::vector<HoughSegment>{{60, 39, 100, 39, 1, 1}}, {}, 100, points).empty());
+  CHECK(select_edges(std::vector<HoughSegment>{{60, 10, 100, 10, 1, 1}}, {}, 6, points).empty());
+  CHECK(select_edges({}, {}, 6, points).empty());
+  CHECK(set_pixels(points.mask()) == set_pixels(scene.mask));
 }
 
 TEST_CASE("the four edges of a box are found by every method, each once") {

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "map/edge_points.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace straightedge {
+namespace {
+
+std::int32_t size_of(std::int32_t value) {
+  return value < 0 ? -value : value;
+}
+
+/// Elements from one row to the next.
+template <class T>
+std::ptrdiff_t step_down(const ImageView<T>& image) {
+  return image.stride / static_cast<std::ptrdiff_t>(sizeof(T));
+}
+
+/// What edge_position reads of the magnitudes: at the pixel and two to both sides of it across the edge.
+class Magnitudes {
+ public:
+  Magnitudes(const GradientField& field, GradientNorm norm)
+      : field_(field), given_(field.magnitude.data != nullptr), l1_(norm == GradientNorm::l1) {}
+
+  void read(std::int32_t x, std::int32_t y, bool across_columns, EdgeBatch& batch, std::int32_t at) const {
+    if (given_) {
+      const std::int32_t* const here = field_.magnitude.row(y) + x;
+      const std::ptrdiff_t step = across_columns ? 1 : step_down(field_.magnitude);
+      for (std::ptrdiff_t k = 0; k < EdgeBatch::around; ++k)
+        batch.magnitude[k][at] = here[(k - EdgeBatch::around / 2) * step];
+      return;
+    }
+    const std::int16_t* const dx = field_.x.row(y) + x;
+    const std::int16_t* const dy = field_.y.row(y) + x;
+    const std::ptrdiff_t step_dx = across_columns ? 1 : step_down(field_.x);
+    const std::ptrdiff_t step_dy = across_columns ? 1 : step_down(field_.y);
+    for (std::ptrdiff_t k = 0; k < EdgeBatch::around; ++k) {
+      const std::int32_t a = dx[(k - EdgeBatch::around / 2) * step_dx];
+      const std::int32_t b = dy[(k - EdgeBatch::around / 2) * step_dy];
+      batch.magnitude[k][at] = l1_ ? size_of(a) + size_of(b) : a * a + b * b;
+    }
+  }
+
+ private:
+  const GradientField& field_;
+  bool given_, l1_;
+};
+
+/// One more pixel of the batch.
+void read_pixel(const GradientField& field, const Magnitudes& magnitudes, std::int32_t x, std::int32_t y,
+                EdgeBatch& batch) {
+  const std::int32_t at = batch.count++;
+  batch.x[at] = x;
+  batch.y[at] = y;
+  batch.dx[at] = field.x.at(x, y);
+  batch.dy[at] = field.y.at(x, y);
+  const bool across_columns = size_of(batch.dx[at]) >= size_of(batch.dy[at]);
+  const std::int32_t place = across_columns ? x : y;
+  const std::int32_t places = across_columns ? field.x.width : field.x.height;
+  if (place >= 2 && place + 2 < places) {
+    magnitudes.read(x, y, across_columns, batch, at);
+  } else {
+    for (auto& magnitude : batch.magnitude) magnitude[at] = 0;
+  }
+}
+
+}  // namespace
+
+void EdgePoints::Bits::reset(std::int32_t lines, std::int32_t length) {
+  words_in_line_ = static_cast<std::size_t>(length) / 64 + 2;
+  words_.assign(static_cast<std::size_t>(lines) * words_in_line_, 0);
+}
+
+void EdgePoints::reset(GrayView edges) {
+  const auto width = static_cast<std::size_t>(edges.width), height = static_cast<std::size_t>(edges.height);
+  if (mask_.size() != edges.size()) mask_ = Image<std::uint8_t>::for_overwrite(edges.size());
+  for (std::int32_t y = 0; y < edges.height; ++y) std::memcpy(mask_.view().row(y), edges.row(y), width);
+  rows_.reset(edges.height, edges.width);
+  columns_.reset(edges.width, edges.height);
+  groups_in_row_ = width / 8 + 1;
+  all_.assign(groups_in_row_ * height, 0);
+  first_of_group_.resize(groups_in_row_ * height);
+  first_of_row_.resize(height);
+  count_ = 0;
+  batch_->count = 0;
+}
+
+/// Notes where the edge pixels of a row are.
+void EdgePoints::add_row(std::int32_t y, const std::uint16_t* columns, std::int32_t count) {
+  const std::size_t first_group = static_cast<std::size_t>(y) * groups_in_row_;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const std::int32_t x = columns[i];
+    rows_.set(y, x);
+    columns_.set(x, y);
+    std::uint8_t& group = all_[first_group + static_cast<std::size_t>(x) / 8];
+    group = static_cast<std::uint8_t>(group | 1 << x % 8);
+  }
+  std::uint16_t before = 0;
+  for (std::size_t g = first_group; g < first_group + groups_in_row_; ++g) {
+    first_of_group_[g] = before;
+    before = static_cast<std::uint16_t>(before + ones_in[all_[g]]);
+  }
+}
+
+/// The points of the batch.
+void EdgePoints::flush(const KernelSet& kernels) {
+  EdgeBatch& batch = *batch_;
+  kernels.picture_rows->edge_places(batch);
+  const auto more = static_cast<std::size_t>(batch.count);
+  if (points_.size() < count_ + more) points_.resize(std::max(2 * points_.size(), count_ + more));
+  EdgePoint* const points = points_.data() + count_;
+  for (std::int32_t i = 0; i < batch.count; ++i)
+    points[i] = {batch.place_x[i], batch.place_y[i], batch.weight[i], batch.dx[i], batch.dy[i]};
+  count_ += more;
+  batch.count = 0;
+}
+
+void EdgePoints::find(GrayView edges, const GradientField& field, GradientNorm norm,
+                      const KernelSet& kernels) {
+  constexpr std::size_t beyond = 8;  // that the kernel may write behind the row's last column
+  reset(edges);
+  const Magnitudes magnitudes(field, norm);
+  std::vector<std::uint16_t> columns(static_cast<std::size_t>(edges.width) + beyond);
+  for (std::int32_t y = 0; y < edges.height; ++y) {
+    const std::int32_t count = kernels.hough->edge_columns(edges.row(y), edges.width, columns.data());
+    first_of_row_[static_cast<std::size_t>(y)] = static_cast<std::uint32_t>(count_) +
+                                                 static_cast<std::uint32_t>(batch_->count);
+    add_row(y, columns.data(), count);
+    for (std::int32_t i = 0; i < count; ++i) {
+      read_pixel(field, magnitudes, columns[static_cast<std::size_t>(i)], y, *batch_);
+      if (batch_->count == EdgeBatch::room) flush(kernels);
+    }
+  }
+  flush(kernels);
+}
+
+}  // namespace straightedge

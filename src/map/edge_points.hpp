@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "hough/corridor.hpp"
+#include "map/picture_rows.hpp"
+#include "straightedge/edge_position.hpp"
+#include "straightedge/host/image.hpp"
+#include "straightedge/host/kernels.hpp"
+#include "straightedge/magnitude.hpp"
+
+namespace straightedge {
+
+/// The edge points of a picture, each found once: every pixel is looked at by several candidates, and by each
+/// more than once. They are the `Edges` of refit_recipe.hpp, and give what the mask and the field would.
+///
+/// The pixels that may be used are kept three times: as a mask, and as bits along rows and along columns, so
+/// that those across a line, flat or steep, are in one word. A point's number is that of the edges in the
+/// rows before, before its eight columns, and before it in these.
+class EdgePoints {
+ public:
+  /// All points of `edges`, whose pixels are not 0. An empty magnitude: that of the field's own gradient.
+  void find(GrayView edges, const GradientField& field, GradientNorm norm, const KernelSet& kernels);
+
+  /// 255 where there is an edge pixel that may be used.
+  GrayView mask() const { return mask_; }
+
+  Size size() const noexcept { return mask_.size(); }
+
+  template <class Visit>
+  void for_each(bool steep, std::int32_t k, std::int32_t from, std::int32_t to,
+                const Visit& visit) const noexcept {
+    const std::uint64_t* const line = steep ? rows_.line(k) : columns_.line(k);
+    const auto first = static_cast<unsigned>(from);
+    const std::uint64_t* const word = line + first / 64;
+    const unsigned shift = first % 64;
+    std::uint64_t bits = word[0] >> shift | word[1] << 1 << (63 - shift);
+    bits &= (std::uint64_t{2} << static_cast<unsigned>(to - from)) - 1;
+    for (; bits != 0; bits &= bits - 1) {
+      const std::int32_t m = from + std::countr_zero(bits);
+      visit(steep ? m : k, steep ? k : m);
+    }
+  }
+
+  refitting::EdgeGradient gradient(std::int32_t x, std::int32_t y) const noexcept {
+    const EdgePoint& edge = point(x, y);
+    return {static_cast<double>(edge.dx), static_cast<double>(edge.dy)};
+  }
+
+  const EdgePoint& point(std::int32_t x, std::int32_t y) const noexcept {
+    const auto column = static_cast<unsigned>(x);
+    const std::size_t group = static_cast<std::size_t>(y) * groups_in_row_ + column / 8;
+    const unsigned before = all_[group] & ((1U << column % 8) - 1);
+    return points_[first_of_row_[static_cast<std::size_t>(y)] + first_of_group_[group] + ones_in[before]];
+  }
+
+  void clear(std::int32_t x, std::int32_t y) noexcept {
+    mask_.at(x, y) = 0;
+    rows_.clear(y, x);
+    columns_.clear(x, y);
+  }
+
+ private:
+  static constexpr std::array<std::uint8_t, 256> ones_in = [] {
+    std::array<std::uint8_t, 256> ones{};
+    for (unsigned v = 0; v < ones.size(); ++v) ones[v] = static_cast<std::uint8_t>(std::popcount(v));
+    return ones;
+  }();
+
+  /// Lines of bits, with a word more behind each.
+  class Bits {
+   public:
+    void reset(std::int32_t lines, std::int32_t length);
+    const std::uint64_t* line(std::int32_t k) const noexcept {
+      return words_.data() + static_cast<std::size_t>(k) * words_in_line_;
+    }
+    void set(std::int32_t k, std::int32_t m) noexcept { word(k, m) |= bit(m); }
+    void clear(std::int32_t k, std::int32_t m) noexcept { word(k, m) &= ~bit(m); }
+
+   private:
+    std::uint64_t& word(std::int32_t k, std::int32_t m) noexcept {
+      return words_[static_cast<std::size_t>(k) * words_in_line_ + static_cast<std::size_t>(m) / 64];
+    }
+    static std::uint64_t bit(std::int32_t m) noexcept { return std::uint64_t{1} << m % 64; }
+
+    std::vector<std::uint64_t> words_;
+    std::size_t words_in_line_ = 0;
+  };
+
+  void reset(GrayView edges);
+  void add_row(std::int32_t y, const std::uint16_t* columns, std::int32_t count);
+  void flush(const KernelSet& kernels);
+
+  Image<std::uint8_t> mask_;
+  Bits rows_, columns_;
+  std::size_t groups_in_row_ = 0;
+  std::vector<std::uint8_t> all_;  ///< eight pixels each: a bit for each edge, which stays
+  std::vector<std::uint16_t> first_of_group_;
+  std::vector<std::uint32_t> first_of_row_;
+  std::vector<EdgePoint> points_;
+  std::size_t count_ = 0;
+  std::unique_ptr<EdgeBatch> batch_ = std::make_unique<EdgeBatch>();
+};
+
+}  // namespace straightedge
