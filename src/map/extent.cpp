@@ -3,11 +3,13 @@
 #include "map/extent.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
+#include <span>
+#include <utility>
 
+#include "map/line_sampler.hpp"
 #include "map/median.hpp"
-#include "map/sample.hpp"
 
 namespace straightedge {
 namespace {
@@ -29,29 +31,33 @@ struct Track {
   double at(std::size_t i) const { return first + pace * static_cast<double>(i); }
 };
 
-inline double gray_beside(GrayView image, const WallLine& line, double s, double u) {
-  return sample(image, line.x_at(s) + u * line.nx, line.y_at(s) + u * line.ny);
+/// Places along the line, `way` from one to the next.
+std::vector<double> places_on(const WallLine& line, double way) {
+  std::vector<double> places;
+  for (double s = line.begin; s <= line.end; s += way) places.push_back(s);
+  return places;
 }
 
 /// Step 1.
-Track sample_track(const WallLine& line, GrayView blurred) {
+Track sample_track(const WallLine& line, const LineSampler& blurred) {
   Track track;
   track.first = line.begin - search;
   const auto count = static_cast<std::size_t>((line.length() + 2 * search) / pace) + 1;
-  const double aside = 0.5 * line.width + axis_clearance;
-  track.dark.reserve(count);
-  track.light.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double s = track.at(i);
-    if (line.axis) {
-      track.dark.push_back(gray_beside(blurred, line, s, 0));
-      track.light.push_back(
-          std::max(gray_beside(blurred, line, s, aside), gray_beside(blurred, line, s, -aside)));
-    } else {
-      track.dark.push_back(gray_beside(blurred, line, s, -face_depth));
-      track.light.push_back(gray_beside(blurred, line, s, face_depth));
-    }
+  std::vector<double> places(count);
+  for (std::size_t i = 0; i < count; ++i) places[i] = track.at(i);
+  track.dark.resize(count);
+  track.light.resize(count);
+  if (!line.axis) {
+    blurred.along(line, places, -face_depth, track.dark.data());
+    blurred.along(line, places, face_depth, track.light.data());
+    return track;
   }
+  const double aside = 0.5 * line.width + axis_clearance;
+  std::vector<double> other(count);
+  blurred.along(line, places, 0, track.dark.data());
+  blurred.along(line, places, aside, track.light.data());
+  blurred.along(line, places, -aside, other.data());
+  for (std::size_t i = 0; i < count; ++i) track.light[i] = std::max(track.light[i], other[i]);
   return track;
 }
 
@@ -136,57 +142,62 @@ void clip(Size picture, WallLine& line) {
   cut(line.fit.centroid_y, line.ty(), picture.height);
 }
 
-double darkest_across(GrayView gray, const WallLine& line, double s) {
-  double darkest = 255;
+double darkest_across(const LineSampler& gray, const WallLine& line, double s) {
   const double from = line.axis ? -2.5 : -face_depth - 0.5;
   const double to = line.axis ? 2.5 : -1;
-  for (double u = from; u <= to; u += step) darkest = std::min(darkest, gray_beside(gray, line, s, u));
-  return darkest;
+  std::array<double, 11> sides, grays;
+  std::size_t count = 0;
+  for (double u = from; u <= to; u += step) sides[count++] = u;
+  gray.across(line, s, std::span(sides).first(count), grays.data());
+  return std::min(255.0, *std::min_element(grays.begin(), grays.begin() + static_cast<std::ptrdiff_t>(count)));
 }
 
 /// Occupancy across an axis, in pixels of full black: blur and antialiasing spread it but keep the sum.
-double black_across(GrayView gray, const WallLine& line, double s) {
+double black_across(const LineSampler& gray, const WallLine& line, double s) {
   const double aside = 0.5 * line.width + axis_clearance;
-  const double plus = gray_beside(gray, line, s, aside);
-  const double minus = gray_beside(gray, line, s, -aside);
+  std::vector<double> sides{aside, -aside};
+  for (double u = -aside + 0.5 * step; u < aside; u += step) sides.push_back(u);
+  std::vector<double> grays(sides.size());
+  gray.across(line, s, sides, grays.data());
   double sum = 0;
-  for (double u = -aside + 0.5 * step; u < aside; u += step) {
-    sum += (u > 0 ? plus : minus) - gray_beside(gray, line, s, u);
-  }
+  for (std::size_t i = 2; i < sides.size(); ++i) sum += (sides[i] > 0 ? grays[0] : grays[1]) - grays[i];
   return sum * step / 255;
 }
 
 /// By the map's threshold: some pixel across is dark enough; in a soft picture, or a thin wall's darkness
 /// together is, for blur has spread it.
-bool is_wall(const Picture& picture, const WallLine& line) {
+bool is_wall(const Picture& picture, const LineSampler& gray, const WallLine& line) {
   if (picture.wall_below > 255) return true;
   std::vector<double> cores, blacks;
-  for (double s = line.begin; s <= line.end; s += place_step(line.length())) {
-    cores.push_back(darkest_across(picture.gray, line, s));
-    if (line.axis) blacks.push_back(black_across(picture.gray, line, s));
+  for (const double s : places_on(line, place_step(line.length()))) {
+    cores.push_back(darkest_across(gray, line, s));
+    if (line.axis) blacks.push_back(black_across(gray, line, s));
   }
   if (median(cores) < picture.wall_below) return true;
   return picture.soft && median(blacks) > 1 - picture.wall_below / 255;
 }
 
-void find_free_sides(const Picture& picture, WallLine& line) {
+void find_free_sides(const Picture& picture, const LineSampler& gray, WallLine& line) {
   const double aside = line.axis ? 0.5 * line.width + axis_clearance : face_depth + 1;
-  std::vector<double> plus, minus;
-  for (double s = line.begin; s <= line.end; s += place_step(line.length())) {
-    plus.push_back(gray_beside(picture.gray, line, s, aside));
-    minus.push_back(gray_beside(picture.gray, line, s, -aside));
-  }
-  line.free_plus = median(plus) > picture.free_above;
-  line.free_minus = line.axis && median(minus) > picture.free_above;
+  const std::vector<double> places = places_on(line, place_step(line.length()));
+  const auto is_free = [&](double u) {
+    std::vector<double> grays(places.size());
+    gray.along(line, places, u, grays.data());
+    return median(std::move(grays)) > picture.free_above;
+  };
+  line.free_plus = is_free(aside);
+  line.free_minus = line.axis && is_free(-aside);
 }
 
 }  // namespace
 
 std::vector<WallLine> measure_extents(const std::vector<WallLine>& lines, const Picture& picture,
-                                      GrayView blurred, const ExtentOptions& options) {
+                                      GrayView blurred, const ExtentOptions& options,
+                                      const PictureRowKernels& kernels) {
+  const LineSampler soft(blurred, kernels), gray(picture.gray, kernels);
   std::vector<WallLine> out;
   for (const WallLine& line : lines) {
-    Track track = sample_track(line, blurred);
+    Track track = sample_track(line, soft);
     judge(line, track);
     for (const Piece& piece : pieces_of(line, track, options)) {
       WallLine part = line;
@@ -196,8 +207,8 @@ std::vector<WallLine> measure_extents(const std::vector<WallLine>& lines, const 
       const double common = std::min(part.end, line.end) - std::max(part.begin, line.begin);
       if (!(part.length() > 0) || common < 0.5 * part.length()) continue;
       part.pixels = static_cast<std::uint32_t>(line.pixels * std::min(1.0, common / line.length()) + 0.5);
-      if (!is_wall(picture, part)) continue;
-      find_free_sides(picture, part);
+      if (!is_wall(picture, gray, part)) continue;
+      find_free_sides(picture, gray, part);
       out.push_back(part);
     }
   }

@@ -29,6 +29,7 @@ struct ExtentOptions {
 /// `blurred` is the picture as Canny saw it, after its blur. Lines whose dark side is no wall by the map's
 /// thresholds are left out.
 std::vector<WallLine> measure_extents(const std::vector<WallLine>& lines, const Picture& picture,
-                                      GrayView blurred, const ExtentOptions& options);
+                                      GrayView blurred, const ExtentOptions& options,
+                                      const PictureRowKernels& kernels = plain_picture_row_kernels);
 
 }  // namespace straightedge

@@ -69,11 +69,13 @@ Status detect_edges(const Picture& picture, const CannyOptions& options, const K
 
 /// Steps 4 to 6: what only a map can tell, for only there dark means wall.
 void read_walls(const Picture& picture, GrayView blurred, const LineMapOptions& options,
-                Image<std::uint8_t>& marks, std::vector<WallLine>& lines, LineMapReport& report) {
-  report.walls = join_thin_walls(lines, picture.stretched, options.max_wall_width);
-  report.walls += turn_strokes_to_axes(lines, picture.stretched, options.max_wall_width);
+                const PictureRowKernels& kernels, Image<std::uint8_t>& marks, std::vector<WallLine>& lines,
+                LineMapReport& report) {
+  const LineSampler stretched(picture.stretched, kernels);
+  report.walls = join_thin_walls(lines, stretched, options.max_wall_width);
+  report.walls += turn_strokes_to_axes(lines, stretched, options.max_wall_width);
   const std::size_t before = lines.size();
-  lines = measure_extents(lines, picture, blurred, {options.max_gap, options.max_wall_width});
+  lines = measure_extents(lines, picture, blurred, {options.max_gap, options.max_wall_width}, kernels);
   lines = keep_supported(lines, picture, {}, marks);
   report.no_wall = static_cast<std::uint32_t>(before > lines.size() ? before - lines.size() : 0);
 }
@@ -175,7 +177,7 @@ Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   if (status != Status::ok) return failure_of("the Hough transform", status);
   // Steps 4 to 6: thin walls become axes, ends are measured, what is no wall goes.
   const bool map = picture.kind == PictureKind::map;
-  if (map) read_walls(picture, edges.planes.blurred, options, room_->marks, lines, report);
+  if (map) read_walls(picture, edges.planes.blurred, options, *kernels_.picture_rows, room_->marks, lines, report);
   // Step 7: one segment where several lie on one another; small things that stand alone go.
   const MergeOptions merge;
   report.merged = merge_fragments(lines, picture, merge);

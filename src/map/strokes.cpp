@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "map/strokes.hpp"
 
-#include "map/sample.hpp"
+#include <cstddef>
+
 
 namespace straightedge {
 namespace {
@@ -20,16 +21,14 @@ struct Stroke {
   bool thin = false;
 };
 
-/// Steps 1 and 2 at one place.
-Stroke stroke_at(GrayView picture, const WallLine& face, double s, double max_width) {
-  const double far = -max_width - behind;
+/// Steps 1 and 2 at one place: the grays at these distances from the face.
+Stroke stroke_of(const std::vector<double>& distances, const std::vector<double>& grays, double max_width) {
   Stroke stroke;
   double dark = 0, moment = 0, last = 0;
-  const double x = face.x_at(s), y = face.y_at(s);
-  for (double u = before; u >= far; u -= step) {
-    last = 1 - sample(picture, x + u * face.nx, y + u * face.ny) / 255;
+  for (std::size_t i = 0; i < grays.size(); ++i) {
+    last = 1 - grays[i] / 255;
     dark += last;
-    moment += u * last;
+    moment += distances[i] * last;
   }
   stroke.width = dark * step;
   stroke.centre = dark > 0 ? moment / dark : 0;
@@ -39,14 +38,19 @@ Stroke stroke_at(GrayView picture, const WallLine& face, double s, double max_wi
 
 }  // namespace
 
-std::uint32_t turn_strokes_to_axes(std::vector<WallLine>& lines, GrayView picture, double max_width) {
+std::uint32_t turn_strokes_to_axes(std::vector<WallLine>& lines, const LineSampler& picture,
+                                   double max_width) {
   std::uint32_t turned = 0;
+  std::vector<double> distances;
+  for (double u = before; u >= -max_width - behind; u -= step) distances.push_back(u);
+  std::vector<double> grays(distances.size());
   for (WallLine& line : lines) {
     if (line.axis) continue;
     double width = 0, centre = 0;
     int places = 0, thin = 0;
     for (double s = line.begin + 0.5; s < line.end; s += place_step(line.length()), ++places) {
-      const Stroke stroke = stroke_at(picture, line, s, max_width);
+      picture.across(line, s, distances, grays.data());
+      const Stroke stroke = stroke_of(distances, grays, max_width);
       if (!stroke.thin) continue;
       ++thin;
       width += stroke.width;

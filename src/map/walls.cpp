@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "map/line_grid.hpp"
-#include "map/sample.hpp"
 
 namespace straightedge {
 namespace {
@@ -39,16 +38,19 @@ bool opposite(const WallLine& a, const WallLine& b, double max_distance) {
 }
 
 /// Step 2: mean over the stretch of the darkness across the wall, in pixels of black.
-double wall_width(GrayView picture, const WallLine& a, Span stretch, double distance) {
+double wall_width(const LineSampler& picture, const WallLine& a, Span stretch, double distance) {
   constexpr double step = 0.25;
   const double reach = 0.5 * distance + 2.5;
+  std::vector<double> depths;
+  for (double depth = -reach - 0.5 * distance; depth <= reach - 0.5 * distance; depth += step)
+    depths.push_back(depth);
+  std::vector<double> grays(depths.size());
   double sum = 0;
   int rows = 0;
   const double way = place_step(stretch.length());
   for (double s = stretch.begin + 0.5 * way; s < stretch.end; s += way) {
-    const double x = a.x_at(s), y = a.y_at(s);
-    for (double depth = -reach - 0.5 * distance; depth <= reach - 0.5 * distance; depth += step)
-      sum += 255 - sample(picture, x + depth * a.nx, y + depth * a.ny);
+    picture.across(a, s, depths, grays.data());
+    for (const double gray : grays) sum += 255 - gray;
     ++rows;
   }
   return rows > 0 ? step * sum / 255 / rows : 0;
@@ -83,7 +85,7 @@ struct Opposites {
 };
 
 Opposites find_opposites(const std::vector<WallLine>& lines, std::size_t i, const LineGrid& grid,
-                         const std::vector<bool>& used, GrayView picture, double max_width) {
+                         const std::vector<bool>& used, const LineSampler& picture, double max_width) {
   Opposites found;
   for (const std::size_t j : grid.near(lines[i])) {
     if (j == i || used[j] || !opposite(lines[i], lines[j], max_width + blur_spread)) continue;
@@ -148,7 +150,7 @@ bool is_absorbed(const std::vector<WallLine>& axes, const LineGrid& grid, WallLi
 
 }  // namespace
 
-std::uint32_t join_thin_walls(std::vector<WallLine>& lines, GrayView picture, double max_width) {
+std::uint32_t join_thin_walls(std::vector<WallLine>& lines, const LineSampler& picture, double max_width) {
   const double max_distance = max_width + blur_spread;
   sort_longest_first(lines);
   const LineGrid grid(lines, max_distance);

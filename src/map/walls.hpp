@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "map/line_sampler.hpp"
 #include "map/wall_line.hpp"
-#include "straightedge/image.hpp"
 
 namespace straightedge {
 
@@ -19,6 +19,6 @@ namespace straightedge {
 ///    Longer edges come first and take all the edges that lie opposite to them.
 /// Thick walls keep their two faces. `picture` is the stretched one (black = wall, white = ground).
 /// Returns how many axes were made.
-std::uint32_t join_thin_walls(std::vector<WallLine>& lines, GrayView picture, double max_width);
+std::uint32_t join_thin_walls(std::vector<WallLine>& lines, const LineSampler& picture, double max_width);
 
 }  // namespace straightedge

@@ -59,7 +59,7 @@ TEST_CASE("a face with a thin wall behind it becomes its axis, one of a thick wa
   std::vector<WallLine> lines = {stage::face({31, 28.25}, {139, 28.25}),
                                  stage::face({31, 65.5}, {139, 65.5})};
   REQUIRE(lines[0].ny == Approx(-1));
-  CHECK(turn_strokes_to_axes(lines, canvas.picture(), 3.6) == 1);
+  CHECK(turn_strokes_to_axes(lines, LineSampler(canvas.picture()), 3.6) == 1);
   CHECK(lines[0].axis);
   CHECK(lines[0].width == Approx(2.5).margin(0.15));
   CHECK(stage::begin_of(lines[0]).y == Approx(29.5).margin(0.1));

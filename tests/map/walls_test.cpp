@@ -24,7 +24,7 @@ struct Bar {
     faces = {face({19.5, 49.5 - apart / 2}, {119.5, 49.5 - apart / 2}),
              face({119.5, 49.5 + apart / 2}, {19.5, 49.5 + apart / 2})};
   }
-  std::uint32_t join(double max_width) { return join_thin_walls(faces, canvas.picture(), max_width); }
+  std::uint32_t join(double max_width) { return join_thin_walls(faces, LineSampler(canvas.picture()), max_width); }
 };
 
 }  // namespace
@@ -71,7 +71,7 @@ TEST_CASE("a light gap, one side alone and faces that look the same way are no t
   for (std::size_t i = 0; i < cases.size(); ++i) {
     CAPTURE(i);
     std::vector<WallLine> lines = cases[i];
-    CHECK(join_thin_walls(lines, white, 3.6) == 0);
+    CHECK(join_thin_walls(lines, LineSampler(white), 3.6) == 0);
     CHECK(lines.size() == cases[i].size());
   }
 }
@@ -88,5 +88,5 @@ TEST_CASE("a long face takes all the pieces that lie opposite to it") {
 
 TEST_CASE("nothing joins to nothing") {
   std::vector<WallLine> none;
-  CHECK(join_thin_walls(none, Image<std::uint8_t>(size, 255), 3.6) == 0);
+  CHECK(join_thin_walls(none, LineSampler(Image<std::uint8_t>(size, 255)), 3.6) == 0);
 }
