@@ -24,6 +24,10 @@ struct Corridor {
   double tx() const noexcept { return -ny; }
   double ty() const noexcept { return nx; }
   bool steep() const noexcept { return nx * nx > ny * ny; }  // runs along rows' change, not columns'
+  /// Along the line, from one step of the major axis to the next.
+  double step_length() const noexcept {
+    return 1 / (steep() ? (nx < 0 ? -nx : nx) : (ny < 0 ? -ny : ny));
+  }
   double along(double x, double y) const noexcept { return (x - px) * tx() + (y - py) * ty(); }
   double across(double x, double y) const noexcept { return (x - px) * nx + (y - py) * ny; }
 
@@ -63,6 +67,9 @@ class CorridorSteps {
     edges_.for_each(steep_, k, lo, hi, visit);
     return true;
   }
+
+  /// No step has more pixels.
+  std::int32_t most_in_step() const noexcept { return static_cast<std::int32_t>(2 * reach_) + 3; }
 
  private:
   static double size_of(double x) noexcept { return x < 0 ? -x : x; }

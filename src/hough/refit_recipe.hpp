@@ -14,6 +14,8 @@
 ///   for_each(steep, k, from, to, visit)      calls visit(x, y) for those of them in row k (not steep: column
 ///                                            k) from column (row) `from` to `to`
 ///   gradient(x, y), point(x, y)              of such a pixel
+///   collect(strip, options, start, direction, found)
+///                                            step 2, in one direction: collect_each or what gives the same
 ///   clear(x, y)                              it may be used no more
 namespace straightedge::refitting {
 
@@ -78,14 +80,18 @@ inline std::uint64_t number_of(std::int32_t x, std::int32_t y) noexcept {
   return product ^ product >> 29U;
 }
 
+/// The corridor in which pixels are looked for.
+inline Corridor widened(Corridor strip) noexcept {
+  strip.half_width += position_reach;
+  return strip;
+}
+
 /// Step 2, in one direction of the major axis.
 template <class Edges>
-void collect(const Edges& edges, const Corridor& strip, const RefitOptions& options, std::int32_t start,
-             std::int32_t direction, Collected& result) noexcept {
-  Corridor wide = strip;
-  wide.half_width += position_reach;
-  const double step_length =
-      1 / (strip.steep() ? (strip.nx < 0 ? -strip.nx : strip.nx) : (strip.ny < 0 ? -strip.ny : strip.ny));
+void collect_each(const Edges& edges, const Corridor& strip, const RefitOptions& options, std::int32_t start,
+                  std::int32_t direction, Collected& result) noexcept {
+  const double step_length = strip.step_length();
+  const Corridor wide = widened(strip);
   const CorridorSteps corridor(edges, wide);
   Collected found = result;
   // Pixels behind one another lie in one half nearly always: its sums stay at hand.
@@ -163,8 +169,8 @@ template <class Edges>
 Collected collect_both_ways(const Edges& edges, const Corridor& strip, const RefitOptions& options) noexcept {
   const auto middle = static_cast<std::int32_t>((strip.steep() ? strip.py : strip.px) + 0.5);
   Collected found;
-  collect(edges, strip, options, middle, 1, found);
-  collect(edges, strip, options, middle - 1, -1, found);
+  edges.collect(strip, options, middle, 1, found);
+  edges.collect(strip, options, middle - 1, -1, found);
   found.moments = found.halves[0];
   found.moments.add(found.halves[1]);
   return found;

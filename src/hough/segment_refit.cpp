@@ -28,6 +28,10 @@ class MaskEdges {
     return {static_cast<double>(field_.x.at(x, y)), static_cast<double>(field_.y.at(x, y))};
   }
   EdgePoint point(std::int32_t x, std::int32_t y) const noexcept { return edge_point(field_, x, y); }
+  void collect(const refitting::Corridor& strip, const RefitOptions& options, std::int32_t start,
+               std::int32_t direction, refitting::Collected& found) const noexcept {
+    refitting::collect_each(*this, strip, options, start, direction, found);
+  }
   void clear(std::int32_t x, std::int32_t y) noexcept { mask_.at(x, y) = 0; }
 
  private:

@@ -105,9 +105,9 @@ void EdgePoints::add_row(std::int32_t y, const std::uint16_t* columns, std::int3
 }
 
 /// The points of the batch.
-void EdgePoints::flush(const KernelSet& kernels) {
+void EdgePoints::flush() {
   EdgeBatch& batch = *batch_;
-  kernels.picture_rows->edge_places(batch);
+  kernels_->edge_places(batch);
   const auto more = static_cast<std::size_t>(batch.count);
   if (points_.size() < count_ + more) points_.resize(std::max(2 * points_.size(), count_ + more));
   EdgePoint* const points = points_.data() + count_;
@@ -120,6 +120,7 @@ void EdgePoints::flush(const KernelSet& kernels) {
 void EdgePoints::find(GrayView edges, const GradientField& field, GradientNorm norm,
                       const KernelSet& kernels) {
   constexpr std::size_t beyond = 8;  // that the kernel may write behind the row's last column
+  kernels_ = kernels.picture_rows;
   reset(edges);
   const Magnitudes magnitudes(field, norm);
   std::vector<std::uint16_t> columns(static_cast<std::size_t>(edges.width) + beyond);
@@ -130,10 +131,10 @@ void EdgePoints::find(GrayView edges, const GradientField& field, GradientNorm n
     add_row(y, columns.data(), count);
     for (std::int32_t i = 0; i < count; ++i) {
       read_pixel(field, magnitudes, columns[static_cast<std::size_t>(i)], y, *batch_);
-      if (batch_->count == EdgeBatch::room) flush(kernels);
+      if (batch_->count == EdgeBatch::room) flush();
     }
   }
-  flush(kernels);
+  flush();
 }
 
 }  // namespace straightedge

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "hough/corridor.hpp"
+#include "hough/refit_recipe.hpp"
 #include "map/picture_rows.hpp"
 #include "straightedge/edge_position.hpp"
 #include "straightedge/host/image.hpp"
@@ -61,6 +61,9 @@ class EdgePoints {
     return points_[first_of_row_[static_cast<std::size_t>(y)] + first_of_group_[group] + ones_in[before]];
   }
 
+  void collect(const refitting::Corridor& strip, const RefitOptions& options, std::int32_t start,
+               std::int32_t direction, refitting::Collected& found) const noexcept;
+
   void clear(std::int32_t x, std::int32_t y) noexcept {
     mask_.at(x, y) = 0;
     rows_.clear(y, x);
@@ -96,7 +99,7 @@ class EdgePoints {
 
   void reset(GrayView edges);
   void add_row(std::int32_t y, const std::uint16_t* columns, std::int32_t count);
-  void flush(const KernelSet& kernels);
+  void flush();
 
   Image<std::uint8_t> mask_;
   Bits rows_, columns_;
@@ -106,6 +109,7 @@ class EdgePoints {
   std::vector<std::uint32_t> first_of_row_;
   std::vector<EdgePoint> points_;
   std::size_t count_ = 0;
+  const PictureRowKernels* kernels_ = &plain_picture_row_kernels;
   std::unique_ptr<EdgeBatch> batch_ = std::make_unique<EdgeBatch>();
 };
 

@@ -10,6 +10,8 @@ namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 
 void edge_places(EdgeBatch& batch) noexcept;
 
+void find_inside(const StripRule& strip, StripBatch& batch) noexcept;
+
 void sample(const SampleWay& way, const double* steps, std::int32_t count, double* gray) noexcept;
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET

@@ -44,6 +44,28 @@ struct SampleWay {
   double aside_x = 0, aside_y = 0;
 };
 
+/// Edge pixels in or near a strip along a line, looked at together.
+struct StripBatch {
+  static constexpr std::int32_t room = 128;
+  std::int32_t count = 0;
+  double x[room], y[room];    ///< of their points
+  double dx[room], dy[room];  ///< gradients
+  double weight[room];
+  // The results.
+  std::int64_t inside[room];  ///< 1: in the strip, the gradient towards its light side
+  double along[room];
+  double weight_x[room], weight_y[room];  ///< about the strip's own point
+  double weight_xx[room], weight_xy[room], weight_yy[room];
+};
+
+/// As Corridor's members.
+struct StripRule {
+  double px = 0, py = 0;
+  double nx = 1, ny = 0;
+  double half_width = 0;
+  double cos_max_angle = 0;
+};
+
 struct PictureRowKernels {
   void (*stretch)(const std::uint8_t* row, std::int32_t width, GrayStretch rule, std::uint8_t* out) noexcept;
 
@@ -60,6 +82,9 @@ struct PictureRowKernels {
 
   /// edge_position of every pixel of the batch, and 1 / variance.
   void (*edge_places)(EdgeBatch& batch) noexcept;
+
+  /// Which points lie in the strip, and what a line fit sums over them.
+  void (*find_inside)(const StripRule& strip, StripBatch& batch) noexcept;
 
   /// The gray between the pixels at these steps, bilinear; places beyond the border have the border's.
   void (*sample)(const SampleWay& way, const double* steps, std::int32_t count, double* gray) noexcept;

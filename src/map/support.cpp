@@ -79,12 +79,26 @@ class SolidAreas {
   /// Whether the pixel lies in the picture, on a dark area that is no crumb.
   bool contain(std::int32_t x, std::int32_t y) {
     if (!gray_.contains(x, y)) return false;
-    if (known_.at(x, y) == unknown && is_dark(x, y)) grow({x, y});
-    return known_.at(x, y) == solid;
+    std::uint8_t& known = known_.at(x, y);
+    if (known == unknown && is_dark(x, y)) {
+      // Mostly somebody asks for one pixel after the other.
+      if (is_beside_last(x, y)) {
+        known = solid;
+      } else {
+        grow({x, y});
+      }
+    }
+    if (known != solid) return false;
+    last_ = {x, y};
+    return true;
   }
 
  private:
   static constexpr std::uint8_t unknown = 0, growing = 1, crumb = 2, solid = 3;
+
+  bool is_beside_last(std::int32_t x, std::int32_t y) const {
+    return x >= last_.x - 1 && x <= last_.x + 1 && y >= last_.y - 1 && y <= last_.y + 1;
+  }
 
   int darkness(std::int32_t x, std::int32_t y) const { return 255 - gray_.at(x, y); }
 
@@ -132,6 +146,7 @@ class SolidAreas {
   double min_piece_;
   ImageView<std::uint8_t> known_;
   std::vector<Pixel> area_;
+  Pixel last_{-2, -2};  ///< that was solid
 };
 
 /// Outwards from where it is likeliest: the first place tells, mostly.
