@@ -21,11 +21,10 @@ struct Square {
   std::int32_t side() const { return std::max(right - left, bottom - top) + 1; }
 };
 
-/// An image of that size whose pixels are 0, in the memory that is there if it fits.
-inline void clear(Image<std::uint8_t>& image, Size size) {
-  if (image.size() != size) image = Image<std::uint8_t>::for_overwrite(size);
-  for (std::int32_t y = 0; y < size.height; ++y)
-    std::fill_n(image.view().row(y), size.width, std::uint8_t{0});
+/// Marks of pixels in memory that is kept: all are 0 at the beginning, and who sets some takes them off.
+inline ImageView<std::uint8_t> marks_of(Image<std::uint8_t>& memory, Size size) {
+  if (memory.size() != size) memory = Image<std::uint8_t>(size);
+  return memory.view();
 }
 
 /// Flood fill with a list in place of recursion: collects in `area` the pixels that hang together with the

@@ -8,6 +8,8 @@
 namespace straightedge {
 namespace {
 
+constexpr std::int32_t rows_ahead = 8;
+
 std::int32_t size_of(std::int32_t value) {
   return value < 0 ? -value : value;
 }
@@ -129,8 +131,13 @@ void EdgePoints::find(GrayView edges, const GradientField& field, GradientNorm n
     first_of_row_[static_cast<std::size_t>(y)] = static_cast<std::uint32_t>(count_) +
                                                  static_cast<std::uint32_t>(batch_->count);
     add_row(y, columns.data(), count);
+    // Most edges go on in the rows below.
+    const std::int32_t soon = std::min(y + rows_ahead, edges.height - 1);
     for (std::int32_t i = 0; i < count; ++i) {
-      read_pixel(field, magnitudes, columns[static_cast<std::size_t>(i)], y, *batch_);
+      const std::int32_t x = columns[static_cast<std::size_t>(i)];
+      __builtin_prefetch(field.x.row(soon) + x);
+      __builtin_prefetch(field.y.row(soon) + x);
+      read_pixel(field, magnitudes, x, y, *batch_);
       if (batch_->count == EdgeBatch::room) flush();
     }
   }

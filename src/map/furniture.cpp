@@ -17,12 +17,10 @@ constexpr std::uint8_t dark_below = 128;
 class AreaMeter {
  public:
   AreaMeter(GrayView picture, double max_size, Image<std::uint8_t>& marks)
-      : picture_(picture), max_size_(max_size), seen_(marks) {
-    clear(marks, picture.size());
-  }
+      : picture_(picture), max_size_(max_size), seen_(marks_of(marks, picture.size())) {}
 
   bool is_small(Pixel seed) {
-    const Square square = grow_area(seed, seen_.view(), max_size_, area_,
+    const Square square = grow_area(seed, seen_, max_size_, area_,
                                     [&](Pixel p) { return picture_.at(p.x, p.y) < dark_below; });
     for (const Pixel p : area_) seen_.at(p.x, p.y) = 0;
     return square.side() <= max_size_;
@@ -31,7 +29,7 @@ class AreaMeter {
  private:
   GrayView picture_;
   double max_size_;
-  Image<std::uint8_t>& seen_;
+  ImageView<std::uint8_t> seen_;
   std::vector<Pixel> area_;
 };
 

@@ -71,26 +71,21 @@ int dark_from(const std::vector<WallLine>& lines, const Picture& picture, double
 class SolidAreas {
  public:
   SolidAreas(GrayView stretched, int from, double min_piece, Image<std::uint8_t>& marks)
-      : gray_(stretched), from_(from), min_piece_(min_piece) {
-    clear(marks, stretched.size());
-    known_ = marks.view();
+      : gray_(stretched), from_(from), min_piece_(min_piece), known_(marks_of(marks, stretched.size())) {}
+  SolidAreas(const SolidAreas&) = delete;
+  SolidAreas& operator=(const SolidAreas&) = delete;
+  ~SolidAreas() {
+    for (const Pixel p : marked_) known_.at(p.x, p.y) = unknown;
   }
 
   /// Whether the pixel lies in the picture, on a dark area that is no crumb.
   bool contain(std::int32_t x, std::int32_t y) {
     if (!gray_.contains(x, y)) return false;
-    std::uint8_t& known = known_.at(x, y);
-    if (known == unknown && is_dark(x, y)) {
-      // Mostly somebody asks for one pixel after the other.
-      if (is_beside_last(x, y)) {
-        known = solid;
-      } else {
-        grow({x, y});
-      }
-    }
-    if (known != solid) return false;
-    last_ = {x, y};
-    return true;
+    // Mostly somebody asks for one pixel after the other.
+    if (x == last_.x && y == last_.y) return true;
+    const bool is_solid = is_beside_last(x, y) ? is_dark(x, y) : is_known_solid(x, y);
+    if (is_solid) last_ = {x, y};
+    return is_solid;
   }
 
  private:
@@ -98,6 +93,12 @@ class SolidAreas {
 
   bool is_beside_last(std::int32_t x, std::int32_t y) const {
     return x >= last_.x - 1 && x <= last_.x + 1 && y >= last_.y - 1 && y <= last_.y + 1;
+  }
+
+  bool is_known_solid(std::int32_t x, std::int32_t y) {
+    const std::uint8_t& known = known_.at(x, y);
+    if (known == unknown && is_dark(x, y)) grow({x, y});
+    return known == solid;
   }
 
   int darkness(std::int32_t x, std::int32_t y) const { return 255 - gray_.at(x, y); }
@@ -125,6 +126,7 @@ class SolidAreas {
       large = square.side() >= min_piece_ || !take_neighbours(at);
     }
     for (const Pixel p : area_) known_.at(p.x, p.y) = large ? solid : crumb;
+    marked_.insert(marked_.end(), area_.begin(), area_.end());
   }
 
   /// False when one of them is known to lie on a large area.
@@ -146,6 +148,7 @@ class SolidAreas {
   double min_piece_;
   ImageView<std::uint8_t> known_;
   std::vector<Pixel> area_;
+  std::vector<Pixel> marked_;
   Pixel last_{-2, -2};  ///< that was solid
 };
 
