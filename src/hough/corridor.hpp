@@ -25,9 +25,7 @@ struct Corridor {
   double ty() const noexcept { return nx; }
   bool steep() const noexcept { return nx * nx > ny * ny; }  // runs along rows' change, not columns'
   /// Along the line, from one step of the major axis to the next.
-  double step_length() const noexcept {
-    return 1 / (steep() ? (nx < 0 ? -nx : nx) : (ny < 0 ? -ny : ny));
-  }
+  double step_length() const noexcept { return 1 / (steep() ? (nx < 0 ? -nx : nx) : (ny < 0 ? -ny : ny)); }
   double along(double x, double y) const noexcept { return (x - px) * tx() + (y - py) * ty(); }
   double across(double x, double y) const noexcept { return (x - px) * nx + (y - py) * ny; }
 

@@ -177,7 +177,7 @@ Collected collect_both_ways(const Edges& edges, const Corridor& strip, const Ref
 }
 
 inline RefinedSegment refined_from(const Collected& found, const Corridor& before, const Corridor& strip,
-                            const LineFit& fit) noexcept {
+                                   const LineFit& fit) noexcept {
   RefinedSegment refined{found.moments, before.px,   before.py, fit,         strip.nx,
                          strip.ny,      found.begin, found.end, found.pixels};
   const double moved = fit.centroid_x * strip.tx() + fit.centroid_y * strip.ty();

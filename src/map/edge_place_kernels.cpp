@@ -19,7 +19,8 @@ constexpr double relative_noise = 0.08;
 void edge_places(EdgeBatch& batch) noexcept {
   const std::int32_t count = batch.count;
   for (std::int32_t i = 0; i < count; ++i) {
-    const std::int32_t left = batch.magnitude[1][i], own = batch.magnitude[2][i], right = batch.magnitude[3][i];
+    const std::int32_t left = batch.magnitude[1][i], own = batch.magnitude[2][i],
+                       right = batch.magnitude[3][i];
     const std::int32_t goes_left = (left > own ? 1 : 0) & (left >= right ? 1 : 0);
     const std::int32_t goes_right = (right > own ? 1 : 0) & (1 - goes_left);
     const std::int32_t top = goes_right - goes_left;

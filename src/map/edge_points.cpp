@@ -128,8 +128,8 @@ void EdgePoints::find(GrayView edges, const GradientField& field, GradientNorm n
   std::vector<std::uint16_t> columns(static_cast<std::size_t>(edges.width) + beyond);
   for (std::int32_t y = 0; y < edges.height; ++y) {
     const std::int32_t count = kernels.hough->edge_columns(edges.row(y), edges.width, columns.data());
-    first_of_row_[static_cast<std::size_t>(y)] = static_cast<std::uint32_t>(count_) +
-                                                 static_cast<std::uint32_t>(batch_->count);
+    first_of_row_[static_cast<std::size_t>(y)] =
+        static_cast<std::uint32_t>(count_) + static_cast<std::uint32_t>(batch_->count);
     add_row(y, columns.data(), count);
     // Most edges go on in the rows below.
     const std::int32_t soon = std::min(y + rows_ahead, edges.height - 1);

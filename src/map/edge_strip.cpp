@@ -59,8 +59,8 @@ class Sums {
 
 }  // namespace
 
-/// collect_each of refit_recipe.hpp, some steps together; read that first. What lies behind the end of the walk
-/// is looked at in vain.
+/// collect_each of refit_recipe.hpp, some steps together; read that first. What lies behind the end of the
+/// walk is looked at in vain.
 void EdgePoints::collect(const refitting::Corridor& strip, const RefitOptions& options, std::int32_t start,
                          std::int32_t direction, refitting::Collected& result) const noexcept {
   const refitting::Corridor wide = refitting::widened(strip);
@@ -78,8 +78,9 @@ void EdgePoints::collect(const refitting::Corridor& strip, const RefitOptions& o
     std::int32_t pixels = 0;
     for (steps.count = 0; steps.count < together; ++steps.count, k += direction) {
       steps.first[steps.count] = pixels;
-      const bool inside = corridor.visit(
-          k, [&](std::int32_t x, std::int32_t y) noexcept { steps.places[pixels++] = {x, y}; });
+      const bool inside = corridor.visit(k, [&](std::int32_t x, std::int32_t y) noexcept {
+        steps.places[pixels++] = {x, y};
+      });
       steps.ended = !inside;
       if (!inside) break;
     }

@@ -149,7 +149,8 @@ double darkest_across(const LineSampler& gray, const WallLine& line, double s) {
   std::size_t count = 0;
   for (double u = from; u <= to; u += step) sides[count++] = u;
   gray.across(line, s, std::span(sides).first(count), grays.data());
-  return std::min(255.0, *std::min_element(grays.begin(), grays.begin() + static_cast<std::ptrdiff_t>(count)));
+  return std::min(255.0,
+                  *std::min_element(grays.begin(), grays.begin() + static_cast<std::ptrdiff_t>(count)));
 }
 
 /// Occupancy across an axis, in pixels of full black: blur and antialiasing spread it but keep the sum.

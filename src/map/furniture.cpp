@@ -20,8 +20,8 @@ class AreaMeter {
       : picture_(picture), max_size_(max_size), seen_(marks_of(marks, picture.size())) {}
 
   bool is_small(Pixel seed) {
-    const Square square = grow_area(seed, seen_, max_size_, area_,
-                                    [&](Pixel p) { return picture_.at(p.x, p.y) < dark_below; });
+    const Square square =
+        grow_area(seed, seen_, max_size_, area_, [&](Pixel p) { return picture_.at(p.x, p.y) < dark_below; });
     for (const Pixel p : area_) seen_.at(p.x, p.y) = 0;
     return square.side() <= max_size_;
   }

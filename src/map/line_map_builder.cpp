@@ -177,7 +177,8 @@ Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   if (status != Status::ok) return failure_of("the Hough transform", status);
   // Steps 4 to 6: thin walls become axes, ends are measured, what is no wall goes.
   const bool map = picture.kind == PictureKind::map;
-  if (map) read_walls(picture, edges.planes.blurred, options, *kernels_.picture_rows, room_->marks, lines, report);
+  if (map)
+    read_walls(picture, edges.planes.blurred, options, *kernels_.picture_rows, room_->marks, lines, report);
   // Step 7: one segment where several lie on one another; small things that stand alone go.
   const MergeOptions merge;
   report.merged = merge_fragments(lines, picture, merge);

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 
-
 namespace straightedge {
 namespace {
 

@@ -17,6 +17,7 @@ namespace straightedge {
 /// 2. The wall is thin there when the width is at most `max_width` and it is light again behind it.
 /// 3. Thin along most of the face: the face moves to the mean centre.
 /// `picture` is the stretched one. Returns how many faces became axes.
-std::uint32_t turn_strokes_to_axes(std::vector<WallLine>& lines, const LineSampler& picture, double max_width);
+std::uint32_t turn_strokes_to_axes(std::vector<WallLine>& lines, const LineSampler& picture,
+                                   double max_width);
 
 }  // namespace straightedge

@@ -24,7 +24,9 @@ struct Bar {
     faces = {face({19.5, 49.5 - apart / 2}, {119.5, 49.5 - apart / 2}),
              face({119.5, 49.5 + apart / 2}, {19.5, 49.5 + apart / 2})};
   }
-  std::uint32_t join(double max_width) { return join_thin_walls(faces, LineSampler(canvas.picture()), max_width); }
+  std::uint32_t join(double max_width) {
+    return join_thin_walls(faces, LineSampler(canvas.picture()), max_width);
+  }
 };
 
 }  // namespace
