@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "map/select.hpp"
+#include "straightedge/hough_grid.hpp"
 
 namespace straightedge {
 namespace {
@@ -24,8 +25,10 @@ HoughOptions relaxed(HoughOptions options) {
 Status find_edges(GrayView edges, const GradientField& field, const LineMapOptions& options,
                   const KernelSet& kernels, EdgeRoom& room, std::vector<WallLine>& lines,
                   LineMapReport& report) {
-  room.points.find(edges, field, options.canny.norm, kernels);
   HoughOptions hough = first_round(options);
+  const Status may = hough_grid(edges.size(), hough).status;
+  if (may != Status::ok) return may;  // before a picture too large takes memory
+  room.points.find(edges, field, options.canny.norm, kernels);
   hough.kernels = kernels.hough;
   RefitOptions refit;
   refit.max_gap = std::min(options.max_gap, 8.0);

@@ -103,3 +103,15 @@ TEST_CASE("bad options of the Hough transform come back as its status") {
   CHECK(find_edges(scene.mask, scene.field(), options, best_kernels(), room, lines, report) ==
         Status::invalid_option);
 }
+
+TEST_CASE("a picture too wide for the Hough transform is refused before it takes memory") {
+  const Size wide{32768, 1};
+  const Image<std::uint8_t> edges(wide, 255);
+  const Image<std::int16_t> gradient(wide);
+  EdgeRoom room;
+  std::vector<WallLine> lines;
+  LineMapReport report;
+  CHECK(find_edges(edges, {gradient, gradient, {}}, {}, best_kernels(), room, lines, report) ==
+        Status::too_large);
+  CHECK(room.points.size() == Size{});
+}

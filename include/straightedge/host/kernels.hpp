@@ -23,7 +23,7 @@ extern const PlaneRowKernels avx2_plane_row_kernels;
 extern const PlaneRowKernels avx512_plane_row_kernels;
 #endif
 
-/// Understanding of a picture, step 1 of build_line_map.
+/// What build_line_map reads of a picture: its pixels, its edge points, gray along lines.
 struct PictureRowKernels;
 extern const PictureRowKernels plain_picture_row_kernels;
 #if defined(__x86_64__)
