@@ -180,6 +180,9 @@ bool is_wall(const Picture& picture, const LineSampler& gray, const WallLine& li
 
 void find_free_sides(const Picture& picture, const LineSampler& gray, WallLine& line) {
   const double aside = line.axis ? 0.5 * line.width + axis_clearance : face_depth + 1;
+  line.free_plus = true;
+  line.free_minus = line.axis;
+  if (picture.free_above < 0) return;  // every gray is
   const std::vector<double> places = places_on(line, place_step(line.length()));
   const auto is_free = [&](double u) {
     std::vector<double> grays(places.size());
