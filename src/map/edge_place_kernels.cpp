@@ -14,6 +14,21 @@ constexpr double relative_noise = 0.08;
 
 }  // namespace
 
+void edge_magnitudes(EdgeBatch& batch, bool squared) noexcept {
+  const std::int32_t count = batch.count;
+  for (std::int32_t k = 0; k < EdgeBatch::around; ++k) {
+    const std::int16_t* __restrict dx = batch.near_dx[k];
+    const std::int16_t* __restrict dy = batch.near_dy[k];
+    std::int32_t* __restrict magnitude = batch.magnitude[k];
+    if (squared) {
+      for (std::int32_t i = 0; i < count; ++i) magnitude[i] = dx[i] * dx[i] + dy[i] * dy[i];
+    } else {
+      for (std::int32_t i = 0; i < count; ++i)
+        magnitude[i] = (dx[i] < 0 ? -dx[i] : dx[i]) + (dy[i] < 0 ? -dy[i] : dy[i]);
+    }
+  }
+}
+
 /// edge_position for many pixels; read that first. Where a pixel of the batch has its largest magnitude
 /// beside it, what counts moves along by one.
 void edge_places(EdgeBatch& batch) noexcept {

@@ -20,39 +20,30 @@ std::ptrdiff_t step_down(const ImageView<T>& image) {
   return image.stride / static_cast<std::ptrdiff_t>(sizeof(T));
 }
 
-/// What edge_position reads of the magnitudes: at the pixel and two to both sides of it across the edge.
-class Magnitudes {
- public:
-  Magnitudes(const GradientField& field, GradientNorm norm)
-      : field_(field), given_(field.magnitude.data != nullptr), l1_(norm == GradientNorm::l1) {}
+constexpr std::int32_t middle = EdgeBatch::around / 2;
 
-  void read(std::int32_t x, std::int32_t y, bool across_columns, EdgeBatch& batch, std::int32_t at) const {
-    if (given_) {
-      const std::int32_t* const here = field_.magnitude.row(y) + x;
-      const std::ptrdiff_t step = across_columns ? 1 : step_down(field_.magnitude);
-      for (std::ptrdiff_t k = 0; k < EdgeBatch::around; ++k)
-        batch.magnitude[k][at] = here[(k - EdgeBatch::around / 2) * step];
-      return;
-    }
-    const std::int16_t* const dx = field_.x.row(y) + x;
-    const std::int16_t* const dy = field_.y.row(y) + x;
-    const std::ptrdiff_t step_dx = across_columns ? 1 : step_down(field_.x);
-    const std::ptrdiff_t step_dy = across_columns ? 1 : step_down(field_.y);
-    for (std::ptrdiff_t k = 0; k < EdgeBatch::around; ++k) {
-      const std::int32_t a = dx[(k - EdgeBatch::around / 2) * step_dx];
-      const std::int32_t b = dy[(k - EdgeBatch::around / 2) * step_dy];
-      batch.magnitude[k][at] = l1_ ? size_of(a) + size_of(b) : a * a + b * b;
-    }
+/// The magnitudes at the batch's pixel `at` and to both sides of it.
+void read_magnitudes(const ImageView<const std::int32_t>& magnitude, std::int32_t x, std::int32_t y,
+                     bool across_columns, EdgeBatch& batch, std::int32_t at) {
+  const std::int32_t* const here = magnitude.row(y) + x;
+  const std::ptrdiff_t step = across_columns ? 1 : step_down(magnitude);
+  for (std::int32_t k = 0; k < EdgeBatch::around; ++k) batch.magnitude[k][at] = here[(k - middle) * step];
+}
+
+void read_gradients(const GradientField& field, std::int32_t x, std::int32_t y, bool across_columns,
+                    EdgeBatch& batch, std::int32_t at) {
+  const std::int16_t* const dx = field.x.row(y) + x;
+  const std::int16_t* const dy = field.y.row(y) + x;
+  const std::ptrdiff_t step_dx = across_columns ? 1 : step_down(field.x);
+  const std::ptrdiff_t step_dy = across_columns ? 1 : step_down(field.y);
+  for (std::int32_t k = 0; k < EdgeBatch::around; ++k) {
+    batch.near_dx[k][at] = dx[(k - middle) * step_dx];
+    batch.near_dy[k][at] = dy[(k - middle) * step_dy];
   }
-
- private:
-  const GradientField& field_;
-  bool given_, l1_;
-};
+}
 
 /// One more pixel of the batch.
-void read_pixel(const GradientField& field, const Magnitudes& magnitudes, std::int32_t x, std::int32_t y,
-                EdgeBatch& batch) {
+void read_pixel(const GradientField& field, std::int32_t x, std::int32_t y, EdgeBatch& batch) {
   const std::int32_t at = batch.count++;
   batch.x[at] = x;
   batch.y[at] = y;
@@ -61,10 +52,13 @@ void read_pixel(const GradientField& field, const Magnitudes& magnitudes, std::i
   const bool across_columns = size_of(batch.dx[at]) >= size_of(batch.dy[at]);
   const std::int32_t place = across_columns ? x : y;
   const std::int32_t places = across_columns ? field.x.width : field.x.height;
-  if (place >= 2 && place + 2 < places) {
-    magnitudes.read(x, y, across_columns, batch, at);
+  if (place < middle || place + middle >= places) {
+    for (std::int32_t k = 0; k < EdgeBatch::around; ++k)
+      batch.magnitude[k][at] = batch.near_dx[k][at] = batch.near_dy[k][at] = 0;
+  } else if (field.magnitude.data != nullptr) {
+    read_magnitudes(field.magnitude, x, y, across_columns, batch, at);
   } else {
-    for (auto& magnitude : batch.magnitude) magnitude[at] = 0;
+    read_gradients(field, x, y, across_columns, batch, at);
   }
 }
 
@@ -109,6 +103,7 @@ void EdgePoints::add_row(std::int32_t y, const std::uint16_t* columns, std::int3
 /// The points of the batch.
 void EdgePoints::flush() {
   EdgeBatch& batch = *batch_;
+  if (own_magnitude_) kernels_->edge_magnitudes(batch, norm_ == GradientNorm::l2);
   kernels_->edge_places(batch);
   const auto more = static_cast<std::size_t>(batch.count);
   if (points_.size() < count_ + more) points_.resize(std::max(2 * points_.size(), count_ + more));
@@ -124,7 +119,8 @@ void EdgePoints::find(GrayView edges, const GradientField& field, GradientNorm n
   constexpr std::size_t beyond = 8;  // that the kernel may write behind the row's last column
   kernels_ = kernels.picture_rows;
   reset(edges);
-  const Magnitudes magnitudes(field, norm);
+  own_magnitude_ = field.magnitude.data == nullptr;
+  norm_ = norm;
   std::vector<std::uint16_t> columns(static_cast<std::size_t>(edges.width) + beyond);
   for (std::int32_t y = 0; y < edges.height; ++y) {
     const std::int32_t count = kernels.hough->edge_columns(edges.row(y), edges.width, columns.data());
@@ -137,7 +133,7 @@ void EdgePoints::find(GrayView edges, const GradientField& field, GradientNorm n
       const std::int32_t x = columns[static_cast<std::size_t>(i)];
       __builtin_prefetch(field.x.row(soon) + x);
       __builtin_prefetch(field.y.row(soon) + x);
-      read_pixel(field, magnitudes, x, y, *batch_);
+      read_pixel(field, x, y, *batch_);
       if (batch_->count == EdgeBatch::room) flush();
     }
   }

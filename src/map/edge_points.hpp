@@ -109,6 +109,8 @@ class EdgePoints {
   std::vector<std::uint32_t> first_of_row_;
   std::vector<EdgePoint> points_;
   std::size_t count_ = 0;
+  bool own_magnitude_ = false;  ///< that of the field's gradient, by this norm
+  GradientNorm norm_ = GradientNorm::l1;
   const PictureRowKernels* kernels_ = &plain_picture_row_kernels;
   std::unique_ptr<EdgeBatch> batch_ = std::make_unique<EdgeBatch>();
 };

@@ -8,6 +8,8 @@
 // What the tables of picture_rows.hpp have from other files of kernels.
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 
+void edge_magnitudes(EdgeBatch& batch, bool squared) noexcept;
+
 void edge_places(EdgeBatch& batch) noexcept;
 
 void find_inside(const StripRule& strip, StripBatch& batch) noexcept;

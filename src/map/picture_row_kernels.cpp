@@ -140,6 +140,7 @@ constinit const PictureRowKernels STRAIGHTEDGE_OF_SET(_picture_row_kernels){
     .count_grain = &STRAIGHTEDGE_KERNEL_SET::count_grain,
     .find_lone = &STRAIGHTEDGE_KERNEL_SET::find_lone,
     .block_medians = &STRAIGHTEDGE_KERNEL_SET::block_medians,
+    .edge_magnitudes = &STRAIGHTEDGE_KERNEL_SET::edge_magnitudes,
     .edge_places = &STRAIGHTEDGE_KERNEL_SET::edge_places,
     .find_inside = &STRAIGHTEDGE_KERNEL_SET::find_inside,
     .sample = &STRAIGHTEDGE_KERNEL_SET::sample,

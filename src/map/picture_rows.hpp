@@ -30,7 +30,8 @@ struct EdgeBatch {
   std::int16_t dx[room], dy[room];
   /// At the pixel, in the middle, and two to both sides of it across the edge; 0 too near to the border.
   std::int32_t magnitude[around][room];
-  double place_x[room], place_y[room], weight[room];  ///< the results
+  std::int16_t near_dx[around][room], near_dy[around][room];  ///< gradients there, where those are asked for
+  double place_x[room], place_y[room], weight[room];          ///< the results
 };
 
 /// A straight way through a picture of at least 2x2 pixels: at step s lies the place
@@ -79,6 +80,9 @@ struct PictureRowKernels {
   /// Medians of 4x4 blocks side by side, `count` of them, from these four rows on; the upper one of the two
   /// in the middle.
   void (*block_medians)(const std::uint8_t* const* rows, std::int32_t count, std::uint8_t* medians) noexcept;
+
+  /// The magnitudes of the gradients: |dx| + |dy|, or dx² + dy².
+  void (*edge_magnitudes)(EdgeBatch& batch, bool squared) noexcept;
 
   /// edge_position of every pixel of the batch, and 1 / variance.
   void (*edge_places)(EdgeBatch& batch) noexcept;
