@@ -45,21 +45,20 @@ struct DepthCellTask {
 /// A rectangle of pixels whose only plane is at + along x + down y, x and y from its corner.
 struct DepthBlock {
   DepthRows rows;
-  std::int32_t width = 0, height = 0;  ///< at most `most_height` rows
+  std::int32_t left = 0, top = 0;  ///< of the corner
+  std::int32_t width = 0, height = 0;
   double at = 0, along = 0, down = 0;  ///< 1/metre
   float limit = 0;                     ///< the gate, 1/metre
   std::uint16_t label = 0;
-
-  static constexpr std::int32_t most_height = 32;
 };
 
 /// Planes to choose from for 4x4 pixels: plane k is at[k] + along[k] x + down[k] y, x and y from their
 /// corner.
 struct DepthChoice {
-  static constexpr std::int32_t side = 4, stride = 8, most_planes = 9;
-  /// The pixels with one more on every side, row by row; 0 is no reading.
-  float around[(side + 2) * stride];
+  static constexpr std::int32_t side = 4, pixels = side * side, most_planes = 9;
+  DepthRows around;  ///< the pixels with one more on every side; 0 is no reading
   float at[most_planes], along[most_planes], down[most_planes];
+  std::uint16_t label[most_planes];
   std::int32_t planes;
   /// Deviation of 1/z where it is q: the larger of noise and noise_of_square q²; the gate is `sigmas` of it.
   float noise, noise_of_square, sigmas;
@@ -94,18 +93,24 @@ struct DepthKernels {
   void (*choose_planes)(const DepthCellTask& task, const DepthSurfaces& surfaces,
                         DepthCellPlanes& planes) noexcept;
 
-  /// Readings within the gate get the label, all others 0. Bit y: some readings of row y are others.
-  std::uint32_t (*label_block)(const DepthBlock& block, std::uint16_t* labels,
-                               std::ptrdiff_t stride) noexcept;
+  /// Readings within the gate get the label, all others 0 and leave the `sums`: row by row, those of a row
+  /// summed first. The sums are those of InverseDepthMoments, in its order.
+  void (*label_block)(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride,
+                      double* sums) noexcept;
 
   /// What the labels of cells and of those around them in three rows are: 0, the only one beside 0, or 65535:
   /// several. Outside of the rows there are none.
   void (*look_around)(const std::uint16_t* above, const std::uint16_t* here, const std::uint16_t* below,
                       std::int32_t width, std::uint16_t* around) noexcept;
 
-  /// For each of the 4x4 pixels 1 + the nearest plane within the gate, or 0. Where two planes are nearly as
-  /// near (4 deviations), the mean of the 3x3 pixels of the pixel's own surface (8 deviations) decides.
-  void (*choose)(const DepthChoice& pixels, std::int32_t* chosen) noexcept;
+  /// The label of the nearest plane within the gate for each of the 4x4 pixels, row by row, or 0. Where two
+  /// planes are nearly as near (4 deviations), the mean of the 3x3 pixels of the pixel's own surface (8
+  /// deviations) decides.
+  void (*choose)(const DepthChoice& square, std::uint16_t* labels) noexcept;
+  /// Adds 4x4 pixels whose first one is (left, top), with such labels, one after another to the sums of
+  /// these: as above, label 1 first.
+  void (*add_square)(const DepthRows& corner, std::int32_t left, std::int32_t top,
+                     const std::uint16_t* labels, double* sums) noexcept;
 };
 
 /// What the firmware runs and what every other table is compared with.

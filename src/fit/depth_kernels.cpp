@@ -4,12 +4,11 @@
 
 #include "base/kernel_set.hpp"
 #include "depth_cell_kernels.hpp"
+#include "pixel_kernels.hpp"
 
 namespace straightedge {
 namespace STRAIGHTEDGE_KERNEL_SET {
 namespace {
-
-constexpr std::int32_t pixels = DepthChoice::side * DepthChoice::side;
 
 void invert(const std::uint16_t* raw, std::int32_t width, float scale, float* inverse) noexcept {
   for (std::int32_t x = 0; x < width; ++x) {
@@ -18,31 +17,6 @@ void invert(const std::uint16_t* raw, std::int32_t width, float scale, float* in
     const std::int32_t missing = units == 0 ? 1 : 0;
     inverse[x] = scale * static_cast<float>(1 - missing) / static_cast<float>(units + missing);
   }
-}
-
-/// Whether a reading of the row is not the plane's.
-bool label_row(const float* q, std::int32_t width, float first, float slope, float limit, std::uint16_t label,
-               std::uint16_t* __restrict out) noexcept {
-  std::int32_t missed = 0;
-  for (std::int32_t x = 0; x < width; ++x) {
-    const float r = q[x] - (first + slope * static_cast<float>(x));
-    const bool reads = q[x] > 0, near = (r < limit) & (r > -limit);
-    out[x] = (near & reads) ? label : std::uint16_t{0};
-    missed |= (reads & !near) ? 1 : 0;
-  }
-  return missed != 0;
-}
-
-std::uint32_t label_block(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride) noexcept {
-  std::uint32_t missed = 0;
-  const float slope = static_cast<float>(block.along);
-  for (std::int32_t y = 0; y < block.height; ++y) {
-    const float* q = block.rows.first + y * block.rows.stride;
-    const float first = static_cast<float>(block.at + block.down * y);
-    const bool some = label_row(q, block.width, first, slope, block.limit, block.label, labels + y * stride);
-    missed |= (some ? 1U : 0U) << static_cast<std::uint32_t>(y);
-  }
-  return missed;
 }
 
 constexpr std::int32_t cells_at_once = 64;
@@ -90,110 +64,6 @@ void look_around(const std::uint16_t* above, const std::uint16_t* here, const st
   }
 }
 
-/// A number for each of the 4x4 pixels.
-struct Lanes {
-  float of[pixels];
-};
-
-struct Nearest {
-  Lanes distance, next;
-  std::int32_t chosen[pixels];
-};
-
-/// u and v from the corner.
-void nearest(const DepthChoice& pixel, const Lanes& u, const Lanes& v, const Lanes& q,
-             Nearest& best) noexcept {
-  for (std::int32_t i = 0; i < pixels; ++i) {
-    best.distance.of[i] = best.next.of[i] = 1e30F;
-    best.chosen[i] = 0;
-  }
-  for (std::int32_t k = 0; k < pixel.planes; ++k) {
-    const float at = pixel.at[k], along = pixel.along[k], down = pixel.down[k];
-    for (std::int32_t i = 0; i < pixels; ++i) {
-      const float r = q.of[i] - ((at + along * u.of[i]) + down * v.of[i]);
-      const float distance = r < 0 ? -r : r;
-      const float before = best.distance.of[i], next = best.next.of[i];
-      const float further = distance < before ? before : distance;
-      best.next.of[i] = further < next ? further : next;
-      best.distance.of[i] = distance < before ? distance : before;
-      const std::int32_t nearer = static_cast<std::int32_t>(distance < before);
-      best.chosen[i] += nearer * (k + 1 - best.chosen[i]);
-    }
-  }
-}
-
-/// The mean of the 3x3 pixels around each one that lie on its surface.
-void average(const DepthChoice& pixel, const Lanes& limit, Lanes& u, Lanes& v, Lanes& q) noexcept {
-  Lanes n{}, right{}, down{}, sum{};
-  for (std::int32_t j = 0; j < 3; ++j) {
-    for (std::int32_t i = 0; i < 3; ++i) {
-      Lanes other;
-      for (std::int32_t y = 0; y < DepthChoice::side; ++y) {
-        const float* row = pixel.around + (y + j) * DepthChoice::stride + i;
-        for (std::int32_t x = 0; x < DepthChoice::side; ++x) other.of[y * DepthChoice::side + x] = row[x];
-      }
-      const float dx = static_cast<float>(i - 1), dy = static_cast<float>(j - 1);
-      for (std::int32_t k = 0; k < pixels; ++k) {
-        const float r = other.of[k] - q.of[k];
-        const bool counts = (other.of[k] > 0) & (r <= limit.of[k]) & (r >= -limit.of[k]);
-        const float one = static_cast<float>(static_cast<std::int32_t>(counts));
-        n.of[k] += one;
-        right.of[k] += dx * one;
-        down.of[k] += dy * one;
-        sum.of[k] += one * other.of[k];
-      }
-    }
-  }
-  for (std::int32_t k = 0; k < pixels; ++k) {
-    const float count = n.of[k] > 1 ? n.of[k] : 1.0F;
-    u.of[k] += right.of[k] / count;
-    v.of[k] += down.of[k] / count;
-    q.of[k] = sum.of[k] / count;
-  }
-}
-
-void choose(const DepthChoice& pixel, std::int32_t* chosen) noexcept {
-  constexpr float beyond_doubt = 4, same_surface = 8;
-  Lanes u, v, q, noise, limit;
-  for (std::int32_t y = 0; y < DepthChoice::side; ++y) {
-    const float* row = pixel.around + (y + 1) * DepthChoice::stride + 1;
-    for (std::int32_t x = 0; x < DepthChoice::side; ++x) {
-      u.of[y * DepthChoice::side + x] = static_cast<float>(x);
-      v.of[y * DepthChoice::side + x] = static_cast<float>(y);
-      q.of[y * DepthChoice::side + x] = row[x];
-    }
-  }
-  std::int32_t reads[pixels];
-  for (std::int32_t i = 0; i < pixels; ++i) {
-    const float of_square = pixel.noise_of_square * (q.of[i] * q.of[i]);
-    noise.of[i] = of_square > pixel.noise ? of_square : pixel.noise;
-    limit.of[i] = same_surface * noise.of[i];
-    reads[i] = q.of[i] > 0 ? 1 : 0;
-  }
-  Nearest found;
-  nearest(pixel, u, v, q, found);
-  std::int32_t doubts = 0;
-  std::int32_t doubt[pixels];
-  for (std::int32_t i = 0; i < pixels; ++i) {
-    const float ahead = found.next.of[i] - found.distance.of[i];
-    doubt[i] = ahead < beyond_doubt * noise.of[i] ? reads[i] : 0;
-    doubts += doubt[i];
-  }
-  Lanes distance = found.distance;
-  for (std::int32_t i = 0; i < pixels; ++i) chosen[i] = found.chosen[i];
-  if (doubts > 0) {
-    average(pixel, limit, u, v, q);
-    nearest(pixel, u, v, q, found);
-    for (std::int32_t i = 0; i < pixels; ++i) {
-      chosen[i] = doubt[i] != 0 ? found.chosen[i] : chosen[i];
-      distance.of[i] = doubt[i] != 0 ? found.distance.of[i] : distance.of[i];
-    }
-  }
-  for (std::int32_t i = 0; i < pixels; ++i) {
-    chosen[i] = distance.of[i] < pixel.sigmas * noise.of[i] ? chosen[i] * reads[i] : 0;
-  }
-}
-
 }  // namespace
 }  // namespace STRAIGHTEDGE_KERNEL_SET
 
@@ -206,6 +76,7 @@ constinit const DepthKernels STRAIGHTEDGE_OF_SET(_depth_kernels) = {
     .label_block = STRAIGHTEDGE_KERNEL_SET::label_block,
     .look_around = STRAIGHTEDGE_KERNEL_SET::look_around,
     .choose = STRAIGHTEDGE_KERNEL_SET::choose,
+    .add_square = STRAIGHTEDGE_KERNEL_SET::add_square,
 };
 
 }  // namespace straightedge

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,6 +17,12 @@ std::ptrdiff_t elements_apart(const ImageView<T>& view) noexcept {
   return view.stride / static_cast<std::ptrdiff_t>(sizeof(T));
 }
 
+/// The numbers of sums, one after another, as kernels see them.
+inline double* numbers_of(std::span<InverseDepthMoments> sums) noexcept {
+  static_assert(sizeof(InverseDepthMoments) == 10 * sizeof(double));
+  return &sums.front().n;
+}
+
 /// Step 7 of frame_planes.hpp where several planes meet: every pixel takes the nearest of those around its
 /// cell.
 class PixelChoice {
@@ -27,18 +34,19 @@ class PixelChoice {
   void label_cell(std::int32_t x, std::int32_t y) noexcept;
 
  private:
-  void look(std::int32_t left, std::int32_t top) noexcept;
-  void label_square(std::int32_t left, std::int32_t top, const LabelsAround& around,
+  static constexpr std::int32_t side = DepthChoice::side, around = side + 2;
+
+  /// The square's pixels with those around it.
+  DepthRows look(std::int32_t left, std::int32_t top) noexcept;
+  void label_square(std::int32_t left, std::int32_t top, const LabelsAround& near,
                     const std::size_t* cell) noexcept;
-  void write(std::int32_t left, std::int32_t top, const LabelsAround& around,
-             const std::int32_t* chosen) const noexcept;
-  void add(std::int32_t left, std::int32_t top, const LabelsAround& around,
-           const std::int32_t* chosen) const noexcept;
+  void write(std::int32_t left, std::int32_t top, const std::uint16_t* chosen) const noexcept;
 
   const PixelLabeller& work_;
   ImageView<std::uint16_t> labels_;
   std::span<InverseDepthMoments> moments_;
   DepthChoice choice_;
+  std::array<float, std::size_t{around} * around> at_border_;
 };
 
 }  // namespace straightedge::detail

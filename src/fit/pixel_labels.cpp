@@ -36,47 +36,24 @@ struct Pixels {
     const InverseDepthPlane plane = work.planes[only - 1U].tangent(sum.u / sum.n, sum.v / sum.n);
     const double limit = work.gate.sigmas * work.gate.inverse_noise(sum.q / sum.n);
     const ImageView<const float>& q = work.inverse_depth;
-    DepthBlock block{{q.row(top) + left, elements_apart(q)},
-                     std::min(size.width, labels.width - left),
-                     std::min(size.height, labels.height - top),
-                     plane.at(left, top),
-                     plane.a,
-                     plane.b,
-                     static_cast<float>(limit),
-                     only};
-    const std::uint32_t missed =
-        work.kernels.label_block(block, labels.row(top) + left, elements_apart(labels));
+    const DepthBlock block{{q.row(top) + left, elements_apart(q)},
+                           left,
+                           top,
+                           std::min(size.width, labels.width - left),
+                           std::min(size.height, labels.height - top),
+                           plane.at(left, top),
+                           plane.a,
+                           plane.b,
+                           static_cast<float>(limit),
+                           only};
     moments[only - 1U].add(sum);
-    for (std::int32_t y = 0; missed != 0 && y < block.height; ++y) {
-      if ((missed >> static_cast<std::uint32_t>(y) & 1U) == 0) continue;
-      subtract_missed(left, top + y, block.width, moments[only - 1U]);
-    }
+    work.kernels.label_block(block, labels.row(top) + left, elements_apart(labels),
+                             numbers_of(moments.subspan(only - 1U)));
   }
   void clear(std::int32_t left, std::int32_t top, std::int32_t side) const noexcept {
     for (std::int32_t y = top; y < std::min(top + side, labels.height); ++y) {
       std::fill(labels.row(y) + left, labels.row(y) + std::min(left + side, labels.width), std::uint16_t{0});
     }
-  }
-
- private:
-  /// Takes the readings without a label out of the sum.
-  void subtract_missed(std::int32_t left, std::int32_t y, std::int32_t width,
-                       InverseDepthMoments& sum) const noexcept {
-    const float* q = work.inverse_depth.row(y) + left;
-    const std::uint16_t* label = labels.row(y) + left;
-    InverseDepthMoments missed;
-    constexpr std::int32_t at_once = 16;
-    for (std::int32_t first = 0; first < width; first += at_once) {
-      const std::int32_t end = std::min(first + at_once, width);
-      int any = 0;
-      for (std::int32_t x = first; x < end; ++x) {
-        any |= static_cast<int>(q[x] > 0) & static_cast<int>(label[x] == 0);
-      }
-      for (std::int32_t x = first; any != 0 && x < end; ++x) {
-        if (q[x] > 0 && label[x] == 0) missed.add(left + x, y, static_cast<double>(q[x]));
-      }
-    }
-    sum.subtract(missed);
   }
 };
 

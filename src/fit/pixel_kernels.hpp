@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/kernel_set.hpp"
+#include "straightedge/depth_kernels.hpp"
+
+/// What depth_kernels.hpp tells of each, for one instruction set.
+namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
+
+void label_block(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride,
+                 double* sums) noexcept;
+void choose(const DepthChoice& square, std::uint16_t* labels) noexcept;
+void add_square(const DepthRows& corner, std::int32_t left, std::int32_t top, const std::uint16_t* labels,
+                double* sums) noexcept;
+
+}  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
