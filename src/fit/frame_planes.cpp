@@ -247,14 +247,26 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
   }
   sort_by_cells();
   judge(depth.camera, true);
-  detail::PixelLabeller{inverse_depth_,          cells_,        small_cell_labels(),
-                        surfaces_.first(count_), options_.gate, *options_.kernels,
-                        float_surfaces_}
-      .label(labels, moments_, visited_);
+  const std::span<std::uint16_t> labels_of_cells = small_cell_labels();
+  detail::PixelLabeller{inverse_depth_,
+                        cells_,
+                        labels_of_cells,
+                        surfaces_.first(count_),
+                        options_.gate,
+                        *options_.kernels,
+                        float_surfaces_,
+                        sums_.first(count_),
+                        static_cast<double>(min_pixels_),
+                        new_label_.first(count_)}
+      .label(labels, moments_.first(count_), visited_);
   // Step 8.
   const std::span<std::uint16_t> order = becomes_;
   sort_by_pixels(moments_.first(count_), order.first(count_));
-  std::fill(new_label_.begin(), new_label_.end(), std::uint16_t{0});
+  // A label that no pixel has stays.
+  new_label_[0] = 0;
+  for (std::uint32_t k = 0; k < count_; ++k) {
+    new_label_[k + 1] = static_cast<std::uint16_t>(moments_[k].n > 0 ? 0U : k + 1);
+  }
   Status status = Status::ok;
   PlaneGate noise = options_.gate;
   noise.inverse_sigma /= options_.slack;  // as the caller gave it
@@ -280,7 +292,8 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
     new_label_[order[i] + 1U] = static_cast<std::uint16_t>(found.planes);
     found.labelled += plane.inliers;
   }
-  detail::rename(labels, new_label_.first(count_ + 1U));
+  detail::rename(labels, {cells_.size(cells_.finest()), options_.cell, labels_of_cells},
+                 new_label_.first(count_ + 1U));
   return status;
 }
 

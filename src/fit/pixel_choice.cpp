@@ -74,7 +74,7 @@ void PixelChoice::label_square(std::int32_t left, std::int32_t top, const Labels
     choice_.at[k] = static_cast<float>(flat.at(left, top));
     choice_.along[k] = static_cast<float>(flat.a);
     choice_.down[k] = static_cast<float>(flat.b);
-    choice_.label[k] = near.labels[k];
+    choice_.label[k] = work_.shown[near.labels[k] - 1U];
   }
   std::array<std::uint16_t, DepthChoice::pixels> chosen;
   work_.kernels.choose(choice_, chosen.data());

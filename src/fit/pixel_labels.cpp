@@ -9,6 +9,7 @@
 #include "depth_surfaces.hpp"
 #include "labels_around.hpp"
 #include "pixel_choice.hpp"
+#include "straightedge/square_root.hpp"
 
 namespace straightedge::detail {
 namespace {
@@ -33,6 +34,7 @@ struct Pixels {
   /// Pixels with one and the same plane around: each within the gate is its. The plane is taken for flat.
   void fill(std::int32_t left, std::int32_t top, Size size, const InverseDepthMoments& sum,
             std::uint16_t only) const noexcept {
+    if (work.shown[only - 1U] == 0) return clear(left, top, size);
     const InverseDepthPlane plane = work.planes[only - 1U].tangent(sum.u / sum.n, sum.v / sum.n);
     const double limit = work.gate.sigmas * work.gate.inverse_noise(sum.q / sum.n);
     const ImageView<const float>& q = work.inverse_depth;
@@ -50,9 +52,10 @@ struct Pixels {
     work.kernels.label_block(block, labels.row(top) + left, elements_apart(labels),
                              numbers_of(moments.subspan(only - 1U)));
   }
-  void clear(std::int32_t left, std::int32_t top, std::int32_t side) const noexcept {
-    for (std::int32_t y = top; y < std::min(top + side, labels.height); ++y) {
-      std::fill(labels.row(y) + left, labels.row(y) + std::min(left + side, labels.width), std::uint16_t{0});
+  void clear(std::int32_t left, std::int32_t top, Size size) const noexcept {
+    const std::int32_t right = std::min(left + size.width, labels.width);
+    for (std::int32_t y = top; y < std::min(top + size.height, labels.height); ++y) {
+      std::fill(labels.row(y) + left, labels.row(y) + right, std::uint16_t{0});
     }
   }
 };
@@ -139,7 +142,7 @@ struct Band {
     for (std::int32_t x = 0; x < width;) {
       std::int32_t end = x + 1;
       if (of[x] == none || (of[x] != done && !(readings[x] > 0))) {
-        pixels.clear(x * side, y * side, side);
+        pixels.clear(x * side, y * side, {side, side});
       } else if (of[x] == border) {
         choice.label_cell(x, y);
       } else if (of[x] != done) {
@@ -161,21 +164,55 @@ struct Band {
 
 }  // namespace
 
+bool PixelLabeller::some_are_small() const noexcept {
+  const double side = DepthCells::side_of(cells.finest());
+  // Those whose cells, with a ring of cells around a square of them, are too few: others have a chance.
+  return std::any_of(sums.begin(), sums.end(), [&](const QuadraticSums& sum) noexcept {
+    return sum.n + 4 * side * square_root(sum.n) < min_pixels;
+  });
+}
+
+void PixelLabeller::find_shown(std::span<const std::uint16_t> around,
+                               std::span<InverseDepthMoments> most) const noexcept {
+  // A plane's pixels lie in cells that have it around.
+  const Size size = cells.size(cells.finest());
+  const float* readings = cells.rows(cells.finest(), 0).first;
+  std::size_t i = 0;
+  for (std::int32_t y = 0; y < size.height; ++y) {
+    for (std::int32_t x = 0; x < size.width; ++x, ++i) {
+      const auto count = static_cast<double>(readings[i]);
+      if (around[i] != border) {
+        if (around[i] != none) most[around[i] - 1U].n += count;
+        continue;
+      }
+      const LabelsAround near(size, cell_labels, x, y);
+      for (std::size_t k = 0; k < near.count; ++k) most[near.labels[k] - 1U].n += count;
+    }
+  }
+  for (std::size_t k = 0; k < most.size(); ++k) {
+    if (most[k].n < min_pixels) shown[k] = 0;
+    most[k] = {};
+  }
+}
+
 void PixelLabeller::label(ImageView<std::uint16_t> labels, std::span<InverseDepthMoments> moments,
                           std::span<std::uint16_t> scratch) const noexcept {
   for (InverseDepthMoments& m : moments) m = {};
+  for (std::size_t k = 0; k < planes.size(); ++k) shown[k] = static_cast<std::uint16_t>(k + 1);
   const Pixels pixels{*this, labels, moments};
   PixelChoice choice(*this, labels, moments);
   fill_surfaces(planes, cells, surfaces);
   const Size size = cells.size(cells.finest());
+  for (std::int32_t y = 0; y < size.height; ++y) {
+    const std::ptrdiff_t width = size.width, first = y * width;
+    const std::uint16_t* here = cell_labels.data() + first;
+    kernels.look_around(y > 0 ? here - width : here, here, y + 1 < size.height ? here + width : here,
+                        size.width, scratch.data() + first);
+  }
+  if (some_are_small()) find_shown(scratch, moments);
   const int doublings = std::min(2, DepthCells::levels - 1 - cells.finest());
   for (std::int32_t top = 0; top < size.height; top += 1 << doublings) {
     const Band band{pixels, scratch, doublings, top, std::min(top + (1 << doublings), size.height)};
-    for (std::int32_t y = top; y < band.bottom; ++y) {
-      const std::uint16_t* here = cell_labels.data() + static_cast<std::ptrdiff_t>(y) * size.width;
-      kernels.look_around(y > 0 ? here - size.width : here, here,
-                          y + 1 < size.height ? here + size.width : here, size.width, band.row(y));
-    }
     band.fill_squares();
     for (std::int32_t y = top; y < band.bottom; ++y) {
       band.clear_borders(y);

@@ -12,8 +12,17 @@ namespace straightedge::detail {
 
 void rename(std::span<std::uint16_t> cells, std::span<const std::uint16_t> by) noexcept;
 
-/// The same for pixels, where it pays to look only for what changes: little, as a rule.
-void rename(ImageView<std::uint16_t> labels, std::span<const std::uint16_t> by) noexcept;
+/// Cells of a picture, which label its pixels: only their planes, and those of cells around, are in a cell.
+struct LabelCells {
+  Size size;
+  std::int32_t side;  ///< pixels
+  std::span<const std::uint16_t> labels;
+};
+
+/// The same for pixels, where it pays to look only for what changes, and only where it may be: little, as a
+/// rule.
+void rename(ImageView<std::uint16_t> labels, const LabelCells& cells,
+            std::span<const std::uint16_t> by) noexcept;
 
 bool changes_nothing(std::span<const std::uint16_t> by) noexcept;
 
