@@ -139,10 +139,14 @@ struct Band {
     const DepthCells& cells = pixels.work.cells;
     const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
     const float* readings = cells.rows(finest(), first).first;
+    const auto is_empty = [&](std::int32_t x) noexcept {
+      return of[x] == none || (of[x] != done && !(readings[x] > 0));
+    };
     for (std::int32_t x = 0; x < width;) {
       std::int32_t end = x + 1;
-      if (of[x] == none || (of[x] != done && !(readings[x] > 0))) {
-        pixels.clear(x * side, y * side, {side, side});
+      if (is_empty(x)) {
+        while (end < width && is_empty(end)) ++end;
+        pixels.clear(x * side, y * side, {(end - x) * side, side});
       } else if (of[x] == border) {
         choice.label_cell(x, y);
       } else if (of[x] != done) {

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "kernel_testing.hpp"
+#include "straightedge/depth_kernels.hpp"
+#include "straightedge/inverse_depth.hpp"
+#include "straightedge/random.hpp"
+#include "support/catch.hpp"
+#include "support/drawing.hpp"
+
+using namespace straightedge;
+using support::uniform;
+using test::for_sets_and_seeds;
+using test::rows_by_chance;
+using test::stride;
+
+namespace {
+
+using Sums = std::array<double, 10>;
+
+/// A frame's sums so far, in the order of InverseDepthMoments, none of them a whole number.
+Sums sums_by_chance(Pcg32& random) {
+  Sums sums;
+  for (double& sum : sums) sum = uniform(random, 1e5, 1e9);
+  return sums;
+}
+
+InverseDepthMoments as_moments(const Sums& s) {
+  return {s[0], s[1], s[2], s[3], s[4], s[5], s[6], s[7], s[8], s[9]};
+}
+Sums as_sums(const InverseDepthMoments& m) {
+  return {m.n, m.u, m.v, m.uu, m.uv, m.vv, m.q, m.uq, m.vq, m.qq};
+}
+
+bool equal_bits(const Sums& a, const Sums& b) {
+  using Bits = std::array<std::uint64_t, 10>;
+  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
+
+struct Labelled {
+  std::vector<std::uint16_t> labels;
+  Sums sums;
+};
+
+Labelled label_block(const DepthKernels& kernels, const DepthBlock& block, const Sums& before) {
+  Labelled out{std::vector<std::uint16_t>(static_cast<std::size_t>(block.height * stride), 4711), before};
+  kernels.label_block(block, out.labels.data(), stride, out.sums.data());
+  return out;
+}
+
+DepthBlock block_by_chance(Pcg32& random, const std::vector<float>& rows) {
+  DepthBlock block{{rows.data(), stride},
+                   static_cast<std::int32_t>(random.below(4000)),
+                   static_cast<std::int32_t>(random.below(4000)),
+                   1 + static_cast<std::int32_t>(random.below(200)),
+                   1 + static_cast<std::int32_t>(random.below(32))};
+  block.at = uniform(random, 0.5, 1.5);
+  block.along = uniform(random, -0.01, 0.01);
+  block.down = uniform(random, -0.01, 0.01);
+  block.limit = static_cast<float>(uniform(random, 0.01, 1));
+  block.label = static_cast<std::uint16_t>(1 + random.below(256));
+  return block;
+}
+
+/// 4x4 pixels with one more on every side, so many floats a row.
+using Square = std::array<float, 48>;
+constexpr std::ptrdiff_t square_stride = 8;
+
+DepthChoice choice_by_chance(Pcg32& random, Square& around) {
+  DepthChoice choice{};
+  choice.around = {around.data(), square_stride};
+  const std::uint32_t odd = random.below(3) * 10;
+  const double spread = random.below(2) == 0 ? 0.002 : 0.1;
+  for (float& q : around) {
+    q = random.below(100) < odd ? 0.0F : static_cast<float>(0.5 + spread * uniform(random, -1, 1));
+  }
+  choice.planes = 1 + static_cast<std::int32_t>(random.below(9));
+  for (int k = 0; k < choice.planes; ++k) {
+    choice.at[k] = static_cast<float>(0.5 + spread * uniform(random, -1, 1));
+    choice.along[k] = static_cast<float>(uniform(random, -1e-3, 1e-3));
+    choice.down[k] = static_cast<float>(uniform(random, -1e-3, 1e-3));
+    choice.label[k] = static_cast<std::uint16_t>(1 + random.below(256));
+  }
+  choice.noise = random.below(4) == 0 ? 0.0F : 2e-3F;
+  choice.noise_of_square = 2e-3F;
+  choice.sigmas = 3;
+  return choice;
+}
+
+std::vector<std::uint16_t> chosen(const DepthKernels& kernels, const DepthChoice& choice) {
+  std::vector<std::uint16_t> out(16, 4711);
+  kernels.choose(choice, out.data());
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("every set of kernels labels blocks as the plain one, which is as each pixel's residual says") {
+  for_sets_and_seeds(300, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t) {
+    const std::vector<float> rows = rows_by_chance(random, 32);
+    const DepthBlock block = block_by_chance(random, rows);
+    const Sums before = sums_by_chance(random);
+    const Labelled expected = label_block(plain_depth_kernels, block, before),
+                   found = label_block(kernels, block, before);
+    CHECK(found.labels == expected.labels);
+    CHECK(equal_bits(found.sums, expected.sums));
+    for (std::int32_t y = 0; y < block.height; ++y) {
+      for (std::int32_t x = 0; x < block.width; ++x) {
+        const float q = rows[static_cast<std::size_t>(y * stride + x)];
+        const std::uint16_t label = expected.labels[static_cast<std::size_t>(y * stride + x)];
+        const double r = static_cast<double>(q) - (block.at + block.along * x + block.down * y);
+        const double margin = std::abs(r) - static_cast<double>(block.limit);
+        if (!(q > 0) || margin > 1e-5) REQUIRE(label == 0);
+        if (q > 0 && margin < -1e-5) REQUIRE(label == block.label);
+      }
+      REQUIRE(expected.labels[static_cast<std::size_t>(y * stride + block.width)] == 4711);
+    }
+  });
+}
+
+TEST_CASE("readings that a block's plane misses leave its sums, row by row") {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    CAPTURE(seed);
+    Pcg32 random(seed);
+    std::vector<float> rows(static_cast<std::size_t>(32 * stride));
+    for (float& q : rows) q = random.below(9) == 0 ? 0.0F : static_cast<float>(uniform(random, 0.2, 2));
+    const DepthBlock block = block_by_chance(random, rows);
+    const Sums before = sums_by_chance(random);
+    const Labelled found = label_block(plain_depth_kernels, block, before);
+    InverseDepthMoments expected = as_moments(before);
+    for (std::int32_t y = 0; y < block.height; ++y) {
+      InverseDepthMoments missed;
+      for (std::int32_t x = 0; x < block.width; ++x) {
+        const auto place = static_cast<std::size_t>(y * stride + x);
+        if (rows[place] > 0 && found.labels[place] == 0)
+          missed.add(block.left + x, block.top + y, static_cast<double>(rows[place]));
+      }
+      if (missed.n > 0) expected.subtract(missed);
+    }
+    CHECK(equal_bits(found.sums, as_sums(expected)));
+  }
+}
+
+TEST_CASE("every set of kernels adds a square's pixels to their labels' sums one after another") {
+  for_sets_and_seeds(500, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t) {
+    Square rows;
+    for (float& q : rows) q = static_cast<float>(uniform(random, 0.2, 2));
+    std::array<std::uint16_t, 16> labels;
+    const std::uint32_t some = 1 + random.below(5);
+    for (std::uint16_t& label : labels) label = static_cast<std::uint16_t>(random.below(some));
+    const auto left = static_cast<std::int32_t>(random.below(4000)),
+               top = static_cast<std::int32_t>(random.below(4000));
+    std::array<Sums, 5> sums;
+    std::array<InverseDepthMoments, 5> expected;
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      sums[k] = sums_by_chance(random);
+      expected[k] = as_moments(sums[k]);
+    }
+    for (std::int32_t i = 0; i < 16; ++i) {
+      const std::uint16_t label = labels[static_cast<std::size_t>(i)];
+      const float q = rows[static_cast<std::size_t>(i / 4 * square_stride + i % 4)];
+      if (label > 0) expected[label - 1U].add(left + i % 4, top + i / 4, static_cast<double>(q));
+    }
+    kernels.add_square({rows.data(), square_stride}, left, top, labels.data(), sums.front().data());
+    for (std::size_t k = 0; k < sums.size(); ++k) CHECK(equal_bits(sums[k], as_sums(expected[k])));
+  });
+}
+
+TEST_CASE("every set of kernels chooses as the plain one") {
+  for_sets_and_seeds(2000, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t) {
+    Square around;
+    const DepthChoice choice = choice_by_chance(random, around);
+    CHECK(chosen(kernels, choice) == chosen(plain_depth_kernels, choice));
+  });
+}
+
+TEST_CASE("a pixel takes the plane that is nearest, or none where none is near or nothing was read") {
+  Square around;
+  around.fill(0.5F);
+  DepthChoice choice{};
+  choice.around = {around.data(), square_stride};
+  choice.planes = 3;
+  choice.at[0] = 0.52F;
+  choice.at[1] = 0.501F;
+  choice.at[2] = 0.4F;
+  choice.label[0] = 12;
+  choice.label[1] = 256;
+  choice.label[2] = 3;
+  choice.noise = 2e-3F;
+  choice.sigmas = 3;
+  around[square_stride + 1] = 0;           // pixel (0, 0)
+  around[2 * square_stride + 2] = 0.519F;  // pixel (1, 1)
+  around[4 * square_stride + 4] = 0.46F;   // pixel (3, 3)
+  std::vector<std::uint16_t> expected(16, 256);
+  expected[0] = 0;
+  expected[5] = 12;
+  expected[15] = 0;
+  CHECK(chosen(plain_depth_kernels, choice) == expected);
+}
+
+TEST_CASE("where two planes are nearly as near the mean over the surface decides") {
+  Square around;
+  around.fill(0.500F);
+  around[2 * square_stride + 2] = 0.5045F;  // alone, it is nearer to the other plane
+  DepthChoice choice{};
+  choice.around = {around.data(), square_stride};
+  choice.planes = 2;
+  choice.at[0] = 0.500F;
+  choice.at[1] = 0.506F;
+  choice.label[0] = 7;
+  choice.label[1] = 8;
+  choice.noise = 2e-3F;
+  choice.sigmas = 3;
+  CHECK(chosen(plain_depth_kernels, choice) == std::vector<std::uint16_t>(16, 7));
+}
