@@ -61,7 +61,7 @@ DepthRows PixelChoice::look(std::int32_t left, std::int32_t top) noexcept {
   for (std::int32_t y = top - 1; y <= top + side; ++y) {
     for (std::int32_t x = left - 1; x <= left + side; ++x) *out++ = q.contains(x, y) ? q.at(x, y) : 0.0F;
   }
-  return {at_border_.data(), around};
+  return {at_border_.data(), side_around};
 }
 
 void PixelChoice::label_square(std::int32_t left, std::int32_t top, const LabelsAround& near,

@@ -34,7 +34,7 @@ class PixelChoice {
   void label_cell(std::int32_t x, std::int32_t y) noexcept;
 
  private:
-  static constexpr std::int32_t side = DepthChoice::side, around = side + 2;
+  static constexpr std::int32_t side = DepthChoice::side, side_around = side + 2;
 
   /// The square's pixels with those around it.
   DepthRows look(std::int32_t left, std::int32_t top) noexcept;
@@ -46,7 +46,7 @@ class PixelChoice {
   ImageView<std::uint16_t> labels_;
   std::span<InverseDepthMoments> moments_;
   DepthChoice choice_;
-  std::array<float, std::size_t{around} * around> at_border_;
+  std::array<float, std::size_t{side_around} * side_around> at_border_;
 };
 
 }  // namespace straightedge::detail

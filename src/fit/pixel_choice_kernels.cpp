@@ -14,14 +14,6 @@ constexpr float rows[DepthChoice::pixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2,
 
 #if STRAIGHTEDGE_LANES > 1
 using Marks [[gnu::vector_size(STRAIGHTEDGE_LANES * 4)]] = std::int32_t;
-using Four [[gnu::vector_size(16)]] = float;
-
-Four four(const float* from) noexcept {
-  Four x;
-  std::memcpy(&x, from, sizeof x);
-  return x;
-}
-
 bool any(const Marks& marks) noexcept {
   std::uint64_t words[STRAIGHTEDGE_LANES / 2], all = 0;
   std::memcpy(words, &marks, sizeof words);
@@ -33,6 +25,16 @@ using Marks = bool;
 
 bool any(Marks mark) noexcept {
   return mark;
+}
+#endif
+
+#if STRAIGHTEDGE_LANES > 4
+using Four [[gnu::vector_size(16)]] = float;
+
+Four four(const float* from) noexcept {
+  Four x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
 }
 #endif
 
