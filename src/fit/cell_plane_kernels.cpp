@@ -58,11 +58,16 @@ struct Best {
   }
 };
 
+/// Whether one of them is not 0.
 bool any(const Lanes& marks) noexcept {
-  float each[lanes], sum = 0;
-  store(each, marks);
-  for (std::int32_t i = 0; i < lanes; ++i) sum += each[i];
-  return sum > 0;
+#if STRAIGHTEDGE_LANES == 1
+  return marks > 0;
+#else
+  std::uint64_t words[lanes / 2], all = 0;
+  std::memcpy(words, &marks, sizeof words);
+  for (const std::uint64_t word : words) all |= word;
+  return all != 0;
+#endif
 }
 
 /// Worth a question where a cell comes alone.

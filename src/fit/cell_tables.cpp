@@ -4,12 +4,19 @@
 
 #include <algorithm>
 
+#include "four_labels.hpp"
+
 namespace straightedge::detail {
 namespace {
 
-/// Whether four labels equal the four from `other` on.
-bool same_four(const std::uint16_t* labels, const std::uint16_t* other) noexcept {
-  return std::equal(labels, labels + 4, other);
+/// The top bit of each of four labels that is not 0.
+constexpr std::uint64_t not_zero(std::uint64_t labels) noexcept {
+  return (labels + 0x7FFF * four_ones) & (0x8000 * four_ones);
+}
+
+/// The same of each that touches the other of its place: both are some plane's, and not the same.
+constexpr std::uint64_t touching(std::uint64_t labels, std::uint64_t others) noexcept {
+  return not_zero(labels) & not_zero(others) & not_zero(labels ^ others);
 }
 
 }  // namespace
@@ -23,9 +30,16 @@ void count_contacts(Size size, std::span<const std::uint16_t> labels,
   const std::uint16_t* row = labels.data();
   for (std::int32_t y = 0; y < size.height; ++y, row += size.width) {
     const std::uint16_t* below = y + 1 < size.height ? row + size.width : row;
-    for (std::int32_t x = 0; x < size.width; ++x) {
-      // Nearly everywhere nothing changes.
-      while (x + 4 < size.width && same_four(row + x, row + x + 1) && same_four(row + x, below + x)) x += 4;
+    std::int32_t x = 0;
+    for (; x + 4 < size.width; x += 4) {
+      const std::uint64_t here = four(row + x);
+      if ((touching(here, four(row + x + 1)) | touching(here, four(below + x))) == 0) continue;
+      for (std::int32_t i = x; i < x + 4; ++i) {
+        count(row[i], row[i + 1]);
+        count(row[i], below[i]);
+      }
+    }
+    for (; x < size.width; ++x) {
       if (x + 1 < size.width) count(row[x], row[x + 1]);
       count(row[x], below[x]);
     }
@@ -38,8 +52,7 @@ void count_cells(std::span<const std::uint16_t> labels, std::span<std::uint32_t>
   for (std::size_t i = 0; i < labels.size();) {
     const std::size_t begin = i;
     const std::uint16_t label = labels[i++];
-    // As the one before, four at a time.
-    while (i + 4 < labels.size() && same_four(labels.data() + i, labels.data() + i - 1)) i += 4;
+    while (i + 4 < labels.size() && four(labels.data() + i) == label * four_ones) i += 4;
     while (i < labels.size() && labels[i] == label) ++i;
     if (label == 0) continue;
     if (count[label - 1U] == 0) first[label - 1U] = static_cast<std::uint32_t>(begin);

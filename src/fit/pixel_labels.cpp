@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "depth_surfaces.hpp"
+#include "four_labels.hpp"
 #include "labels_around.hpp"
 #include "pixel_choice.hpp"
 #include "straightedge/square_root.hpp"
@@ -77,6 +78,7 @@ struct Band {
     const std::int32_t left = X << doublings, right = std::min(left + (1 << doublings), cells_across());
     const std::uint16_t first = row(top)[left];
     for (std::int32_t y = top; y < bottom; ++y) {
+      if (right - left == 4 && four(row(y) + left) == first * four_ones) continue;
       for (std::int32_t x = left; x < right; ++x) {
         if (row(y)[x] != first) return 0;
       }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 #include "depth_surfaces.hpp"
+#include "four_labels.hpp"
 #include "straightedge/detail/quadratic_surface.hpp"
 #include "straightedge/square_root.hpp"
 
@@ -35,14 +35,6 @@ constexpr std::uint16_t refused = 0x8000;
 
 constexpr std::uint16_t label_of(std::uint16_t visited) noexcept {
   return static_cast<std::uint16_t>(visited & ~refused);
-}
-
-constexpr std::uint64_t four_ones = 0x0001000100010001;
-
-std::uint64_t four(std::span<const std::uint16_t> numbers, std::int32_t i) noexcept {
-  std::uint64_t together = 0;
-  std::memcpy(&together, &numbers[static_cast<std::size_t>(i)], sizeof together);
-  return together;
 }
 
 /// Runs of cells in a row: begin, end, begin, end, ...
@@ -96,7 +88,7 @@ struct Flood {
   bool is_own(std::int32_t i) const noexcept { return labels[static_cast<std::size_t>(i)] == label; }
   /// The first cell from i to `end` on that is not the plane's own.
   std::int32_t end_of_own(std::int32_t i, std::int32_t end) const noexcept {
-    while (i + 4 <= end && four(labels, i) == own_four) i += 4;
+    while (i + 4 <= end && four(&labels[static_cast<std::size_t>(i)]) == own_four) i += 4;
     while (i < end && is_own(i)) ++i;
     return i;
   }
@@ -120,7 +112,7 @@ struct Flood {
   void visit_all(std::int32_t left, std::int32_t right, std::int32_t first, Pieces& pieces) const noexcept {
     constexpr std::uint64_t no_refusal = ~(std::uint64_t{refused} * four_ones);
     for (std::int32_t i = left; i < right;) {
-      if (i + 4 <= right && (four(memory.visited, i) & no_refusal) == own_four) {
+      if (i + 4 <= right && (four(&memory.visited[static_cast<std::size_t>(i)]) & no_refusal) == own_four) {
         i += 4;
         continue;
       }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "four_labels.hpp"
+
 namespace straightedge::detail {
 namespace {
 
@@ -52,6 +54,13 @@ struct Squares {
     const CellBox box = part(x, y, doublings, size);
     const std::uint16_t* row = labels.data() + static_cast<std::ptrdiff_t>(box.y) * size.width;
     const std::uint16_t first = row[box.x];
+    if (box.end.width - box.x == 4) {
+      std::uint64_t differ = 0;
+      for (std::int32_t j = box.y; j < box.end.height; ++j, row += size.width) {
+        differ |= four(row + box.x) ^ (first * four_ones);
+      }
+      return differ == 0 ? first : mixed;
+    }
     for (std::int32_t j = box.y; j < box.end.height; ++j, row += size.width) {
       for (std::int32_t i = box.x; i < box.end.width; ++i) {
         if (row[i] != first) return mixed;

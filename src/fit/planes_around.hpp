@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "four_labels.hpp"
 #include "labels_around.hpp"
 #include "straightedge/image.hpp"
 
@@ -40,6 +41,8 @@ struct PlanesAround {
   }
 
  private:
+  static constexpr std::uint64_t no_marks = ~(LabelsAround::mark * four_ones);
+
   static std::uint16_t bare(std::uint16_t label) noexcept {
     return static_cast<std::uint16_t>(label & ~LabelsAround::mark);
   }
@@ -47,6 +50,7 @@ struct PlanesAround {
     for (std::int32_t x = 0; x < width;) {
       const std::int32_t begin = x;
       const std::uint16_t same = bare(labels[x]);
+      while (x + 4 <= width && (four(labels + x) & no_marks) == same * four_ones) x += 4;
       while (x < width && bare(labels[x]) == same) ++x;
       if (same == 0) continue;
       std::size_t k = 0;
