@@ -38,37 +38,46 @@ struct CellLanes {
   }
 };
 
-/// 1 where a bit is set, else 0.
-Lanes marks_of(std::uint32_t bits, std::int32_t first) noexcept {
-  float marks[lanes];
-  for (std::int32_t i = 0; i < lanes; ++i) {
-    marks[i] =
-        static_cast<float>(static_cast<std::int32_t>(bits >> static_cast<std::uint32_t>(first + i) & 1U));
-  }
-  return load(marks);
+#if STRAIGHTEDGE_LANES == 1
+using Marks = bool;
+
+Marks marks_of(std::uint32_t bits, std::int32_t first) noexcept {
+  return (bits >> static_cast<std::uint32_t>(first) & 1U) != 0;
 }
 
-struct Best {
-  Lanes squares, label;
-
-  void offer(const Lanes& found, const Lanes& mark, std::int32_t plane) noexcept {
-    const auto better = (found < squares) & (mark > all(0));
-    squares = better ? found : squares;
-    label = better ? all(static_cast<float>(plane + 1)) : label;
-  }
-};
-
-/// Whether one of them is not 0.
-bool any(const Lanes& marks) noexcept {
-#if STRAIGHTEDGE_LANES == 1
-  return marks > 0;
+bool any(Marks mark) noexcept {
+  return mark;
+}
 #else
+using Marks [[gnu::vector_size(STRAIGHTEDGE_LANES * 4)]] = std::int32_t;
+
+/// From a bit for each cell.
+Marks marks_of(std::uint32_t bits, std::int32_t first) noexcept {
+  constexpr std::int32_t each[DepthCellTask::cells] = {1,       1 << 1,  1 << 2,  1 << 3, 1 << 4,  1 << 5,
+                                                       1 << 6,  1 << 7,  1 << 8,  1 << 9, 1 << 10, 1 << 11,
+                                                       1 << 12, 1 << 13, 1 << 14, 1 << 15};
+  Marks bit;
+  std::memcpy(&bit, each + first, sizeof bit);
+  return ((Marks{} + static_cast<std::int32_t>(bits)) & bit) != Marks{};
+}
+
+bool any(const Marks& marks) noexcept {
   std::uint64_t words[lanes / 2], all = 0;
   std::memcpy(words, &marks, sizeof words);
   for (const std::uint64_t word : words) all |= word;
   return all != 0;
-#endif
 }
+#endif
+
+struct Best {
+  Lanes squares, label;
+
+  void offer(const Lanes& found, const Marks& mark, std::int32_t plane) noexcept {
+    const auto better = (found < squares) & mark;
+    squares = better ? found : squares;
+    label = better ? all(static_cast<float>(plane + 1)) : label;
+  }
+};
 
 /// Worth a question where a cell comes alone.
 bool is_far([[maybe_unused]] const Lanes& off, [[maybe_unused]] const Lanes& limit) noexcept {
@@ -87,15 +96,15 @@ void choose_some(const DepthCellTask& task, const DepthSurfaces& s, std::int32_t
   const Lanes of_square = task.noise_of_square * (cell.q * cell.q);
   const Lanes noise = of_square > zero_noise ? of_square : zero_noise;
   const Lanes variance = noise * noise, unit = cell.n * variance;
-  const Lanes open = cell.n >= all(task.least) ? marks_of(task.open, first) : none;
+  const Marks open = (cell.n >= all(task.least)) & marks_of(task.open, first);
   Best best{all(1e30F), none};
   for (std::int32_t i = 0; i < task.asked; ++i) {
     const std::uint32_t some = (task.of[i] >> static_cast<std::uint32_t>(first)) & ((1U << lanes) - 1U);
     if (some == 0) continue;
     best.offer(cell.squares(s, task.plane[i]), marks_of(task.of[i], first), task.plane[i]);
   }
-  const auto pure = (best.squares < task.pure_of_asked * unit) | (marks_of(task.given, first) > none);
-  const Lanes left = pure ? none : open;
+  const Marks pure = (best.squares < task.pure_of_asked * unit) | marks_of(task.given, first);
+  const Marks left = open & (pure == Marks{});
   if (any(left)) {
     // The squares are at least those of the means: a plane far from these cannot become a cell's.
     const Lanes limit = task.pure * variance;
@@ -103,10 +112,10 @@ void choose_some(const DepthCellTask& task, const DepthSurfaces& s, std::int32_t
       if (is_far(cell.off(s, k), limit)) continue;
       best.offer(cell.squares(s, k), left, k);
     }
-    const auto fits = (best.squares < task.pure * unit) | (left < one);
+    const auto fits = (best.squares < task.pure * unit) | (left == Marks{});
     best.label = fits ? best.label : none;
   }
-  best.label = open > none ? best.label : none;
+  best.label = open ? best.label : none;
   const Lanes mean = best.squares / (unit > none ? unit : one);
   float labels[lanes];
   store(labels, best.label);
