@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "depth_surfaces.hpp"
+#include "four_labels.hpp"
 #include "labels_around.hpp"
 #include "planes_around.hpp"
 
@@ -34,17 +35,18 @@ static_assert((3U << trust_shift) == LabelsAround::mark);
 constexpr std::uint16_t with_trust(std::uint16_t label, Trust trust) noexcept {
   return static_cast<std::uint16_t>(label | static_cast<unsigned>(trust) << trust_shift);
 }
-constexpr Trust trust_of(std::uint16_t marked) noexcept {
-  return static_cast<Trust>(marked >> trust_shift);
-}
 constexpr std::uint16_t label_of(std::uint16_t marked) noexcept {
   return static_cast<std::uint16_t>(marked & ~LabelsAround::mark);
 }
-constexpr Trust trust_in(const DepthCellPlanes& found, std::int32_t i) noexcept {
-  const float mean = found.mean[i];
-  const auto trust =
-      static_cast<std::uint32_t>(mean < beyond_doubt) + static_cast<std::uint32_t>(mean < settled_below);
-  return static_cast<Trust>(found.label[i] == 0 ? 0U : trust);
+/// Each label with how far it is trusted.
+void mark(DepthCellPlanes& found) noexcept {
+  for (std::int32_t i = 0; i < DepthCellTask::cells; ++i) {
+    const float mean = found.mean[i];
+    const std::int32_t trust =
+        static_cast<std::int32_t>(mean < beyond_doubt) + static_cast<std::int32_t>(mean < settled_below);
+    const std::int32_t marks = found.label[i] == 0 ? 0 : trust << trust_shift;
+    found.label[i] = static_cast<std::uint16_t>(found.label[i] | marks);
+  }
 }
 
 constexpr std::int32_t at_once = DepthCellTask::cells, parents_at_once = at_once / 2;
@@ -58,20 +60,28 @@ constexpr std::uint32_t cells_of(std::uint32_t parents) noexcept {
   return x | x << 1U;
 }
 
+/// The lowest bits of four labels.
+constexpr std::uint32_t lowest_of(std::uint64_t labels) noexcept {
+  // To bits 48 to 51.
+  constexpr std::uint64_t together = (1ULL << 48U) | (1ULL << 33U) | (1ULL << 18U) | (1ULL << 3U);
+  return static_cast<std::uint32_t>((labels & four_ones) * together >> 48U & 0xFU);
+}
+
 /// Eight parents: their labels, and how far these are trusted.
 struct Parents {
   std::array<std::uint16_t, parents_at_once> label{};
   std::uint32_t much = 0, settles = 0, settled = 0;
 
   Parents(const std::uint16_t* marked, std::int32_t count) noexcept {
-    for (std::int32_t i = 0; i < count; ++i) {
-      const auto trust = static_cast<std::uint32_t>(trust_of(marked[i])), at = static_cast<std::uint32_t>(i);
-      label[static_cast<std::size_t>(i)] = label_of(marked[i]);
+    std::copy(marked, marked + count, label.begin());
+    for (std::size_t i = 0; i < label.size(); i += 4) {
       // Little is 0, much 1, settles 2, settled 3.
-      much |= static_cast<std::uint32_t>(trust != 0) << at;
-      settles |= (trust >> 1U) << at;
-      settled |= (trust & trust >> 1U) << at;
+      const std::uint64_t low = four(&label[i]) >> trust_shift, high = low >> 1U;
+      much |= lowest_of(low | high) << i;
+      settles |= lowest_of(high) << i;
+      settled |= lowest_of(low & high) << i;
     }
+    for (std::uint16_t& each : label) each = label_of(each);
   }
 };
 
@@ -121,7 +131,7 @@ struct Level {
   std::uint32_t alone(std::uint32_t parents, std::size_t first, const Parents& own,
                       const PlanesAround& around) const noexcept {
     std::uint32_t found = 0;
-    for (std::uint32_t i = 0; i < parents_at_once; ++i) {
+    for (std::uint32_t i = 0; parents >> i != 0; ++i) {
       if ((parents >> i & 1U) != 0 && others_are_far(first + i, own.label[i], around, 1U << i))
         found |= 1U << i;
     }
@@ -183,14 +193,18 @@ struct Level {
       out[i] = task.at.first[i] >= task.least ? group.label[static_cast<std::size_t>(i)] : std::uint16_t{0};
     }
     const std::uint32_t open = task.open;
-    task.open &= (1U << static_cast<std::uint32_t>(count)) - 1U;
+    const std::uint32_t all = (1U << static_cast<std::uint32_t>(count)) - 1U;
+    task.open &= all;
     if (task.open != 0) {
       DepthCellPlanes found;
       work.kernels.choose_planes(task, surfaces, found);
-      for (std::int32_t i = 0; i < count; ++i) {
-        const std::uint16_t marked =
-            is_finest() ? found.label[i] : with_trust(found.label[i], trust_in(found, i));
-        out[i] = (open >> static_cast<std::uint32_t>(i) & 1U) != 0 ? marked : out[i];
+      if (!is_finest()) mark(found);
+      if (task.open == all) {
+        std::copy(found.label, found.label + count, out);
+      } else {
+        for (std::int32_t i = 0; i < count; ++i) {
+          if ((open >> static_cast<std::uint32_t>(i) & 1U) != 0) out[i] = found.label[i];
+        }
       }
     }
     task.open = open;

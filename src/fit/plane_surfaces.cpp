@@ -49,24 +49,23 @@ struct Squares {
   Size size;
   std::span<const std::uint16_t> labels;
 
+  const std::uint16_t* at(std::int32_t x, std::int32_t y) const noexcept {
+    return labels.data() + static_cast<std::ptrdiff_t>(y) * size.width + x;
+  }
   /// The label of all cells that a cell `doublings` levels above is made of, or `mixed`.
   std::uint16_t common(std::int32_t x, std::int32_t y, int doublings) const noexcept {
     const CellBox box = part(x, y, doublings, size);
-    const std::uint16_t* row = labels.data() + static_cast<std::ptrdiff_t>(box.y) * size.width;
-    const std::uint16_t first = row[box.x];
-    if (box.end.width - box.x == 4) {
-      std::uint64_t differ = 0;
-      for (std::int32_t j = box.y; j < box.end.height; ++j, row += size.width) {
-        differ |= four(row + box.x) ^ (first * four_ones);
-      }
-      return differ == 0 ? first : mixed;
-    }
+    const std::uint16_t* row = at(box.x, box.y);
+    const std::uint16_t first = *row;
+    std::uint64_t differ = 0;
     for (std::int32_t j = box.y; j < box.end.height; ++j, row += size.width) {
-      for (std::int32_t i = box.x; i < box.end.width; ++i) {
-        if (row[i] != first) return mixed;
+      if (box.end.width - box.x == 4) {
+        differ |= four(row) ^ (first * four_ones);
+        continue;
       }
+      for (std::int32_t i = 0; i < box.end.width - box.x; ++i) differ |= row[i] ^ first;
     }
-    return first;
+    return differ == 0 ? first : mixed;
   }
 };
 
@@ -104,9 +103,8 @@ void PlaneSurfaces::sum(const DepthCells& cells, std::span<const std::uint16_t> 
     for_cells(part(X, Y, twice, cells.size(finest + 1)), [&](std::int32_t x, std::int32_t y) noexcept {
       const std::uint16_t of_four = squares.common(x, y, 1);
       if (of_four != mixed) return add_cell(finest + 1, x, y, of_four);
-      for_cells(part(x, y, 1, cells.size(finest)), [&](std::int32_t i, std::int32_t j) noexcept {
-        add_cell(finest, i, j, squares.common(i, j, 0));
-      });
+      for_cells(part(x, y, 1, squares.size),
+                [&](std::int32_t i, std::int32_t j) noexcept { add_cell(finest, i, j, *squares.at(i, j)); });
     });
   });
 }

@@ -28,10 +28,10 @@ struct PlanesAround {
     const std::int32_t begin = std::max<std::int32_t>(x - 1, 0);
     const std::int32_t end = std::min(x + static_cast<std::int32_t>(cells) + 1, size.width);
     const std::int32_t bottom = std::min(y + 1, size.height - 1);
-    for (std::int32_t j = std::max<std::int32_t>(y - 1, 0); j <= bottom; ++j) {
-      add_row(labels.data() + static_cast<std::ptrdiff_t>(j) * size.width + begin, end - begin,
-              begin - x + 1);
-    }
+    const std::int32_t top = std::max<std::int32_t>(y - 1, 0), width = end - begin;
+    const std::uint16_t* row = labels.data() + static_cast<std::ptrdiff_t>(top) * size.width + begin;
+    const std::int32_t rows = are_the_same(row, {width, bottom - top + 1}, size.width) ? 1 : bottom - top + 1;
+    for (std::int32_t j = 0; j < rows; ++j, row += size.width) add_row(row, width, begin - x + 1);
     for (std::size_t k = 0; k < count; ++k) {
       // Bit i + 1 stands for the column of cell i: what has the plane, and its neighbours.
       near[k] = (near[k] | near[k] >> 1U | near[k] >> 2U) & 0xFFU;
@@ -45,6 +45,17 @@ struct PlanesAround {
 
   static std::uint16_t bare(std::uint16_t label) noexcept {
     return static_cast<std::uint16_t>(label & ~LabelsAround::mark);
+  }
+  /// Whether all labels of some rows are; not looked at where these are short.
+  static bool are_the_same(const std::uint16_t* row, Size size, std::int32_t stride) noexcept {
+    if (size.width < 4) return false;
+    const std::uint64_t same = bare(*row) * four_ones;
+    std::uint64_t differ = 0;
+    for (std::int32_t y = 0; y < size.height; ++y, row += stride) {
+      for (std::int32_t x = 0; x + 4 < size.width; x += 4) differ |= four(row + x) ^ same;
+      differ |= four(row + size.width - 4) ^ same;
+    }
+    return (differ & no_marks) == 0;
   }
   void add_row(const std::uint16_t* labels, std::int32_t width, std::int32_t first) noexcept {
     for (std::int32_t x = 0; x < width;) {
