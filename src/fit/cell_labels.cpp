@@ -60,13 +60,6 @@ constexpr std::uint32_t cells_of(std::uint32_t parents) noexcept {
   return x | x << 1U;
 }
 
-/// The lowest bits of four labels.
-constexpr std::uint32_t lowest_of(std::uint64_t labels) noexcept {
-  // To bits 48 to 51.
-  constexpr std::uint64_t together = (1ULL << 48U) | (1ULL << 33U) | (1ULL << 18U) | (1ULL << 3U);
-  return static_cast<std::uint32_t>((labels & four_ones) * together >> 48U & 0xFU);
-}
-
 /// Eight parents: their labels, and how far these are trusted.
 struct Parents {
   std::array<std::uint16_t, parents_at_once> label{};

@@ -9,12 +9,7 @@
 namespace straightedge::detail {
 namespace {
 
-/// The top bit of each of four labels that is not 0.
-constexpr std::uint64_t not_zero(std::uint64_t labels) noexcept {
-  return (labels + 0x7FFF * four_ones) & (0x8000 * four_ones);
-}
-
-/// The same of each that touches the other of its place: both are some plane's, and not the same.
+/// The top bit of each that touches the other of its place: both are some plane's, and not the same.
 constexpr std::uint64_t touching(std::uint64_t labels, std::uint64_t others) noexcept {
   return not_zero(labels) & not_zero(others) & not_zero(labels ^ others);
 }

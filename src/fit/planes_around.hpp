@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -28,10 +29,15 @@ struct PlanesAround {
     const std::int32_t begin = std::max<std::int32_t>(x - 1, 0);
     const std::int32_t end = std::min(x + static_cast<std::int32_t>(cells) + 1, size.width);
     const std::int32_t bottom = std::min(y + 1, size.height - 1);
-    const std::int32_t top = std::max<std::int32_t>(y - 1, 0), width = end - begin;
-    const std::uint16_t* row = labels.data() + static_cast<std::ptrdiff_t>(top) * size.width + begin;
-    const std::int32_t rows = are_the_same(row, {width, bottom - top + 1}, size.width) ? 1 : bottom - top + 1;
-    for (std::int32_t j = 0; j < rows; ++j, row += size.width) add_row(row, width, begin - x + 1);
+    Rows rows{};
+    std::size_t word = 0;
+    for (std::int32_t j = std::max<std::int32_t>(y - 1, 0); j <= bottom; ++j, word += words) {
+      std::array<std::uint16_t, 4 * words> row{};
+      const std::uint16_t* from = labels.data() + static_cast<std::ptrdiff_t>(j) * size.width;
+      std::copy(from + begin, from + end, row.begin() + (begin - x + 1));
+      for (std::size_t i = 0; i < words; ++i) rows[word + i] = four(&row[4 * i]) & no_marks;
+    }
+    find(rows);
     for (std::size_t k = 0; k < count; ++k) {
       // Bit i + 1 stands for the column of cell i: what has the plane, and its neighbours.
       near[k] = (near[k] | near[k] >> 1U | near[k] >> 2U) & 0xFFU;
@@ -43,35 +49,24 @@ struct PlanesAround {
  private:
   static constexpr std::uint64_t no_marks = ~(LabelsAround::mark * four_ones);
 
-  static std::uint16_t bare(std::uint16_t label) noexcept {
-    return static_cast<std::uint16_t>(label & ~LabelsAround::mark);
-  }
-  /// Whether all labels of some rows are; not looked at where these are short.
-  static bool are_the_same(const std::uint16_t* row, Size size, std::int32_t stride) noexcept {
-    if (size.width < 4) return false;
-    const std::uint64_t same = bare(*row) * four_ones;
-    std::uint64_t differ = 0;
-    for (std::int32_t y = 0; y < size.height; ++y, row += stride) {
-      for (std::int32_t x = 0; x + 4 < size.width; x += 4) differ |= four(row + x) ^ same;
-      differ |= four(row + size.width - 4) ^ same;
-    }
-    return (differ & no_marks) == 0;
-  }
-  void add_row(const std::uint16_t* labels, std::int32_t width, std::int32_t first) noexcept {
-    for (std::int32_t x = 0; x < width;) {
-      const std::int32_t begin = x;
-      const std::uint16_t same = bare(labels[x]);
-      while (x + 4 <= width && (four(labels + x) & no_marks) == same * four_ones) x += 4;
-      while (x < width && bare(labels[x]) == same) ++x;
-      if (same == 0) continue;
-      std::size_t k = 0;
-      while (k < count && label[k] != same) ++k;
-      if (k == count) {
+  static constexpr std::size_t words = 3;  // of four labels each: a row
+  using Rows = std::array<std::uint64_t, 3 * words>;
+
+  /// Finds the planes, in the order of rows, each with its columns.
+  void find(Rows& rows) noexcept {
+    for (std::size_t first = 0; first < rows.size(); ++first) {
+      while (rows[first] != 0) {
+        const auto shift = static_cast<std::uint32_t>(std::countr_zero(rows[first])) & 0x30U;
+        const auto same = static_cast<std::uint16_t>(rows[first] >> shift);
+        std::uint32_t columns = 0;
+        for (std::size_t i = first; i < rows.size(); ++i) {
+          const std::uint64_t equal = ~not_zero(rows[i] ^ same * four_ones) >> 15U & four_ones;
+          columns |= lowest_of(equal) << (4 * (i % words));
+          rows[i] &= ~(equal * 0xFFFFU);
+        }
         label[count] = same;
-        near[count++] = 0;
+        near[count++] = columns;
       }
-      const auto bits = (1U << static_cast<std::uint32_t>(x - begin)) - 1U;
-      near[k] |= bits << static_cast<std::uint32_t>(first + begin);
     }
   }
 };
