@@ -15,9 +15,8 @@ using Floats4 = float __attribute__((vector_size(16)));
 using Words4 = std::uint32_t __attribute__((vector_size(16)));
 
 constexpr Words4 lanes{0, 1, 2, 3};
-constexpr std::size_t group_words = 3, leaf_words = 3;
-/// Queries look at four leaves at a time.
-constexpr std::size_t spare_leaves = 4;
+constexpr std::size_t group_words = 3;
+constexpr std::size_t block_words = OctreeLeafGroups::block_bytes / sizeof(std::uint32_t);
 /// Of a leaf, on the average. With fewer, looking at the points takes no longer than at their box.
 constexpr std::uint32_t least_points = 6;
 
@@ -84,24 +83,20 @@ Extent extent_of(std::span<const std::uint32_t> points, std::uint32_t first, std
 }
 
 /// The unit in which a coordinate lies, from the group's first cell on.
-std::uint32_t unit_of(double at, std::uint32_t cell) noexcept {
+unsigned char unit_of(double at, std::uint32_t cell) noexcept {
   const double unit =
       (at - static_cast<double>(static_cast<std::int32_t>(cell))) * OctreeLeafGroups::units_a_cell;
   const auto whole = static_cast<std::int32_t>(unit);
   constexpr auto last = static_cast<std::int32_t>(OctreeLeafGroups::units - 1);
-  return static_cast<std::uint32_t>(whole < 0 ? 0 : whole > last ? last : whole);
-}
-
-std::uint32_t units_of(const Vector3& at, const MortonCell& cell) noexcept {
-  return unit_of(at.x, cell.x) | unit_of(at.y, cell.y) << 8U | unit_of(at.z, cell.z) << 16U;
+  return static_cast<unsigned char>(whole < 0 ? 0 : whole > last ? last : whole);
 }
 
 }  // namespace
 
 bool OctreeLeafGroups::take(std::size_t count, std::size_t leaves, std::span<std::uint32_t> memory) noexcept {
-  const std::size_t table = std::bit_ceil(2 * count);
-  const std::size_t group_elements = count + 1, leaf_elements = leaves + spare_leaves;
-  if (table + group_words * group_elements + leaf_words * leaf_elements > memory.size()) return false;
+  const std::size_t table = std::bit_ceil(4 * count);
+  const std::size_t group_elements = count + 1, blocks = (leaves + in_block - 1) / in_block;
+  if (table + group_words * group_elements + leaves + 1 + block_words * blocks > memory.size()) return false;
   const auto next = [&memory](std::size_t words) {
     const std::span<std::uint32_t> taken = memory.first(words);
     memory = memory.subspan(words);
@@ -110,25 +105,20 @@ bool OctreeLeafGroups::take(std::size_t count, std::size_t leaves, std::span<std
   slots = next(table);
   shift = static_cast<std::uint32_t>(32 - std::countr_zero(table));
   first = next(group_elements);
-  code_low = next(group_elements);
-  code_high = next(group_elements);
-  place = next(leaf_elements);
-  low = next(leaf_elements);
-  high = next(leaf_elements);
+  key_low = next(group_elements);
+  key_high = next(group_elements);
+  place = next(leaves + 1);
+  boxes = {reinterpret_cast<unsigned char*>(next(block_words * blocks).data()), block_bytes * blocks};
   for (std::uint32_t& slot : slots) slot = 0;
-  for (std::size_t i = leaves; i < leaf_elements; ++i) low[i] = high[i] = 0;
   return true;
 }
 
-void OctreeLeafGroups::add_group(const MortonCell& cell, std::uint32_t leaf) noexcept {
-  constexpr auto down = static_cast<unsigned>(level);
-  const std::uint32_t sum = by_x * (cell.x >> down) + by_y * (cell.y >> down) + by_z * (cell.z >> down);
-  std::uint32_t slot = sum >> shift;
+void OctreeLeafGroups::add_group(const Address& address, std::uint32_t leaf) noexcept {
+  std::uint32_t slot = address.sum >> shift;
   while (slots[slot] != 0) slot = (slot + 1) & (static_cast<std::uint32_t>(slots.size()) - 1);
-  const std::uint64_t code = morton_encode(cell);
   first[groups] = leaf;
-  code_low[groups] = static_cast<std::uint32_t>(code);
-  code_high[groups] = static_cast<std::uint32_t>(code >> 32U);
+  key_low[groups] = address.key_low();
+  key_high[groups] = address.key_high();
   slots[slot] = ++groups;
 }
 
@@ -139,6 +129,7 @@ void OctreeLeafGroups::build(const OctreeNodes& nodes, const OctreeGrid& grid,
   const std::uint32_t leaves = nodes.leaves();
   if (leaves == 0 || nodes.points() / leaves < least_points) return;
   if (!take(count_groups(nodes), leaves, memory)) return;
+  constexpr auto down = static_cast<unsigned>(level);
   std::uint32_t leaf = 0;
   for (std::uint32_t i = 0; i < nodes.size();) {
     if (nodes[i].level() > level) {
@@ -146,13 +137,19 @@ void OctreeLeafGroups::build(const OctreeNodes& nodes, const OctreeGrid& grid,
       continue;
     }
     const MortonCell cell = morton_decode(morton_ancestor(nodes[i].code(), level));
-    add_group(cell, leaf);
+    add_group(address(cell.x >> down, cell.y >> down, cell.z >> down), leaf);
     for (const std::uint32_t end = nodes[i].next; i < end; ++i) {
       if (!nodes.is_leaf(i)) continue;
       const Extent extent = extent_of(points, nodes[i].first, nodes[i + 1].first);
+      const Vector3 from = grid.in_cells(extent.min()), to = grid.in_cells(extent.max());
       place[leaf] = nodes[i].first;
-      low[leaf] = units_of(grid.in_cells(extent.min()), cell);
-      high[leaf++] = units_of(grid.in_cells(extent.max()), cell);
+      low(leaf, 0) = unit_of(from.x, cell.x);
+      low(leaf, 1) = unit_of(from.y, cell.y);
+      low(leaf, 2) = unit_of(from.z, cell.z);
+      high(leaf, 0) = unit_of(to.x, cell.x);
+      high(leaf, 1) = unit_of(to.y, cell.y);
+      high(leaf, 2) = unit_of(to.z, cell.z);
+      ++leaf;
     }
   }
   first[groups] = leaf;

@@ -68,14 +68,13 @@ void for_near_leaves(const OctreeNodes& nodes, const octree::NodeDistance& dista
 /// Around the position first; only when what is found there might not be the nearest, down the tree:
 /// restart() forgets what was found and returns the limit.
 template <class Look, class Restart>
-void for_near_leaves(const detail::OctreeLeafGroups& groups, double leaf_m, const OctreeNodes& nodes,
+void for_near_leaves(const detail::OctreeLeafGroups& groups, const OctreeNodes& nodes,
                      const octree::NodeDistance& distance, double limit, Look look,
                      Restart restart) noexcept {
-  MortonCell cell;
-  if (groups.groups > 0 && distance.around(detail::OctreeLeafGroups::level, cell)) {
-    limit = octree::look_around(groups, cell, distance, octree::GroupDistance::square_units_a_m(leaf_m),
-                                limit, look);
-    if (limit < distance.squared_reach(detail::OctreeLeafGroups::level)) return;
+  octree::GroupsAround around;
+  if (groups.groups > 0 && around.find(distance.in_cells())) {
+    limit = octree::look_around(groups, around, distance, limit, look);
+    if (limit < distance.squared(octree::GroupsAround::reach)) return;
     limit = restart();
   }
   for_near_leaves(nodes, distance, limit, look);
@@ -142,7 +141,7 @@ OctreeFound Octree::nearest(const Vector3& position, OctreeNeighbour& out,
   octree::FarFilter filter(position);
   filter.set_limit(best.squared_distance);
   for_near_leaves(
-      groups_, options_.grid.leaf_m, nodes_, distance, best.squared_distance,
+      groups_, nodes_, distance, best.squared_distance,
       [&](std::uint32_t place, std::uint32_t end) {
         octree::find_nearest(memory_.points, place, end, position, filter, best);
         return best.squared_distance;
@@ -162,7 +161,7 @@ OctreeFound Octree::k_nearest(const Vector3& position, std::span<OctreeNeighbour
   Nearest nearest(out);
   const octree::NodeDistance distance(options_.grid, position);
   for_near_leaves(
-      groups_, options_.grid.leaf_m, nodes_, distance, limit,
+      groups_, nodes_, distance, limit,
       [&](std::uint32_t place, std::uint32_t end) {
         octree::for_near_points(memory_.points, place, end, position, limit,
                                 [&](const OctreeNeighbour& neighbour) {

@@ -47,11 +47,8 @@ class NodeDistance {
     }
   };
   Octants octants(const OctreeNode& inner) const noexcept {
-    return octants(morton_decode(inner.code()), inner.level() - 1);
-  }
-  /// Of the cube of two cells of `level` a side that begins at a cell.
-  [[gnu::always_inline]] Octants octants(const MortonCell& cell, int level) const noexcept {
-    const std::uint32_t half = std::uint32_t{1} << static_cast<unsigned>(level);
+    const MortonCell cell = morton_decode(inner.code());
+    const std::uint32_t half = std::uint32_t{1} << static_cast<unsigned>(inner.level() - 1);
     const double side = static_cast<double>(static_cast<std::int32_t>(half));
     const auto scaled = [this, side](double at, std::uint32_t begin) {
       const double g = gap(at, begin, side);
@@ -62,24 +59,10 @@ class NodeDistance {
             {scaled(at_.z, cell.z), scaled(at_.z, cell.z + half)}};
   }
 
-  /// The cube of two cells of `level` a side that reaches as far as possible around the position, and its
-  /// first cell. False: it is not within the octree's cube.
-  bool around(int level, MortonCell& cell) const noexcept {
-    const auto side = static_cast<double>(std::int32_t{1} << static_cast<unsigned>(level));
-    const auto begin = [side, level](double at, std::uint32_t& to) {
-      const double from = at - 0.5 * side;
-      if (!(from >= 0 && from < static_cast<double>(morton_side) - 2 * side)) return false;
-      const auto whole = static_cast<std::uint32_t>(static_cast<std::int32_t>(from));
-      to = whole >> static_cast<unsigned>(level) << static_cast<unsigned>(level);
-      return true;
-    };
-    return begin(at_.x, cell.x) && begin(at_.y, cell.y) && begin(at_.z, cell.z);
-  }
-  /// Every point that is not in this cube is farther.
-  double squared_reach(int level) const noexcept {
-    const double half = 0.5 * static_cast<double>(std::int32_t{1} << static_cast<unsigned>(level)) - 0x1p-20;
-    return half * half * scale_;
-  }
+  /// Of what is so many cells away along an axis.
+  double squared(double cells) const noexcept { return cells * cells * scale_; }
+  /// A little more squares of `units` a cell than a square metre has.
+  double squares_a_m(double units) const noexcept { return units * units * (1 + 0x1p-12) / scale_; }
 
  private:
   /// From a coordinate to the cells from `begin` on, so many as `side`.

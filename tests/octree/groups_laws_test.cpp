@@ -118,21 +118,18 @@ TEST_CASE("a group is found by its cell, and has its leaves' points in their box
     const std::uint32_t cell[] = {static_cast<std::uint32_t>(at.x) >> 2U,
                                   static_cast<std::uint32_t>(at.y) >> 2U,
                                   static_cast<std::uint32_t>(at.z) >> 2U};
-    const std::uint64_t code = morton_encode({cell[0] << 2U, cell[1] << 2U, cell[2] << 2U});
-    const std::uint32_t group =
-        groups.find(code, Groups::by_x * cell[0] + Groups::by_y * cell[1] + Groups::by_z * cell[2]);
+    const std::uint32_t group = groups.find(Groups::address(cell[0], cell[1], cell[2]));
     REQUIRE(group < groups.groups);
     const auto last = groups.place.begin() + groups.first[group + 1];
-    const auto leaf = static_cast<std::size_t>(
+    const auto leaf = static_cast<std::uint32_t>(
         std::upper_bound(groups.place.begin() + groups.first[group], last, place) - groups.place.begin() - 1);
-    for (unsigned axis = 0; axis < 3; ++axis) {
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
       const double unit = (coordinates[axis] - 4.0 * cell[axis]) * Groups::units_a_cell;
-      REQUIRE(static_cast<double>(groups.low[leaf] >> 8U * axis & 255U) <= unit);
-      REQUIRE(static_cast<double>((groups.high[leaf] >> 8U * axis & 255U) + 1) >= unit);
+      REQUIRE(static_cast<double>(groups.low(leaf, axis)) <= unit);
+      REQUIRE(static_cast<double>(groups.high(leaf, axis) + 1) >= unit);
     }
   }
-  const std::uint64_t nowhere = morton_encode({4, 4, 4});
-  CHECK(groups.find(nowhere, Groups::by_x + Groups::by_y + Groups::by_z) == groups.groups);
+  CHECK(groups.find(Groups::address(1, 1, 1)) == groups.groups);
 
   // Too little memory, or too few points in a leaf.
   groups.build(octree.nodes(), octree.grid(), sorted, std::span(memory).first(100));
