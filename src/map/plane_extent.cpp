@@ -3,6 +3,7 @@
 #include "map/plane_extent.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <utility>
@@ -36,44 +37,76 @@ void for_each_cell(const ExtentPiece& p, double size, Visit visit) {
   }
 }
 
-/// Numbers the cells' connected regions; neighbours by sides and corners.
+/// Numbers the cells' connected regions, in the order of their first cells; neighbours by sides and corners.
 void number_lots(LotCells& map) {
-  map.lots.assign(map.cells.size(), 0);
-  std::uint32_t lot = 0;
-  std::vector<std::size_t> region;
-  for (std::size_t start = 0; start < map.cells.size(); ++start) {
-    if (map.lots[start] != 0) continue;
-    map.lots[start] = ++lot;
-    region.assign(1, start);
-    for (std::size_t i = 0; i < region.size(); ++i) {
-      for (std::int64_t n = 0; n < 9; ++n) {
-        const Cell& cell = map.cells[region[i]];
-        const std::size_t next = map.find({cell.first + n / 3 - 1, cell.second + n % 3 - 1});
-        if (next == map.cells.size() || map.lots[next] != 0) continue;
-        map.lots[next] = lot;
-        region.push_back(next);
-      }
+  const std::vector<Cell>& cells = map.cells;
+  // For each cell one of its region that comes no later; the region's first one stands for itself.
+  std::vector<std::uint32_t> earlier(cells.size());
+  const auto first_of = [&](std::uint32_t i) {
+    while (earlier[i] != i) i = earlier[i] = earlier[earlier[i]];
+    return i;
+  };
+  std::uint32_t above = 0;  // the row before: cells from the left neighbour's column on
+  for (std::uint32_t i = 0; i < cells.size(); ++i) {
+    const auto [row, column] = cells[i];
+    std::uint32_t first = i > 0 && cells[i - 1] == Cell{row, column - 1} ? first_of(i - 1) : i;
+    earlier[i] = first;
+    while (cells[above] < Cell{row - 1, column - 1}) ++above;
+    for (std::uint32_t n = above; cells[n] <= Cell{row - 1, column + 1}; ++n) {
+      const std::uint32_t other = first_of(n);
+      earlier[std::max(first, other)] = std::min(first, other);
+      first = std::min(first, other);
     }
   }
+  std::uint32_t lots = 0;
+  map.lots.resize(cells.size());
+  for (std::uint32_t i = 0; i < cells.size(); ++i)
+    map.lots[i] = earlier[i] == i ? ++lots : map.lots[first_of(i)];
 }
+
+/// Cells in the order in which they are met. Most have been met shortly before: those are not listed again.
+class MetCells {
+ public:
+  /// Its place in the list.
+  std::uint32_t meet(const Cell& cell) {
+    std::uint32_t& lately = lately_[static_cast<std::size_t>((cell.first & 7) * 8 + (cell.second & 7))];
+    if (lately < cells_.size() && cells_[lately] == cell) return lately;
+    lately = static_cast<std::uint32_t>(cells_.size());
+    cells_.push_back(cell);
+    return lately;
+  }
+  const std::vector<Cell>& cells() const { return cells_; }
+
+ private:
+  std::vector<Cell> cells_;
+  std::array<std::uint32_t, 64> lately_{};
+};
 
 /// Step 1. The pieces of each lot.
 std::vector<std::vector<ExtentPiece>> lots_of(std::span<const ExtentPiece> pieces, double size) {
-  LotCells map;
-  // Most pieces lie in the cell of the one before them.
-  const auto add = [&map](const Cell& cell) {
-    if (map.cells.empty() || map.cells.back() != cell) map.cells.push_back(cell);
-  };
-  for (const ExtentPiece& p : pieces) for_each_cell(p, size, add);
+  MetCells met;
+  std::vector<std::uint32_t> first_cells;  // of pieces
+  first_cells.reserve(pieces.size());
+  for (const ExtentPiece& p : pieces) {
+    bool first = true;
+    for_each_cell(p, size, [&](const Cell& cell) {
+      const std::uint32_t place = met.meet(cell);
+      if (first) first_cells.push_back(place);
+      first = false;
+    });
+  }
+  LotCells map{met.cells(), {}};
   std::sort(map.cells.begin(), map.cells.end());
   map.cells.erase(std::unique(map.cells.begin(), map.cells.end()), map.cells.end());
   number_lots(map);
+  std::vector<std::uint32_t> lot_of_met;
+  lot_of_met.reserve(met.cells().size());
+  for (const Cell& cell : met.cells()) lot_of_met.push_back(map.lots[map.find(cell)]);
   std::vector<std::vector<ExtentPiece>> lots;
-  for (const ExtentPiece& p : pieces) {
-    const std::size_t at = map.find({floor_to_integer(p.b0 / size), floor_to_integer(p.a0 / size)});
-    const std::uint32_t lot = map.lots[at];
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::uint32_t lot = lot_of_met[first_cells[i]];
     if (lots.size() < lot) lots.resize(lot);
-    lots[lot - 1].push_back(p);
+    lots[lot - 1].push_back(pieces[i]);
   }
   return lots;
 }

@@ -3,6 +3,7 @@
 #include "straightedge/host/plane_leaves.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace straightedge {
 namespace {
@@ -14,6 +15,41 @@ std::size_t slot_of(const PlaneLeafKey& key, std::size_t slots) {
   const std::uint64_t mixed =
       (key.leaf ^ (std::uint64_t{key.surface} << 32U) ^ key.surface) * 0x9E3779B97F4A7C15U;
   return static_cast<std::size_t>((mixed ^ (mixed >> 32U)) & (slots - 1));
+}
+
+void expect_leaf(const PlaneLeaf& leaf) {
+  const auto* const bytes = reinterpret_cast<const std::byte*>(&leaf);
+  for (std::size_t at = 0; at < sizeof(PlaneLeaf); at += 64) __builtin_prefetch(bytes + at);
+}
+
+/// A key, and where its leaf stands.
+struct Place {
+  std::uint64_t leaf;
+  std::uint32_t surface, place;
+};
+
+/// Radix sort, the lowest digit first.
+void sort_by_leaf(std::vector<Place>& places) {
+  constexpr unsigned bits = 11;
+  constexpr std::uint64_t values = 1U << bits;
+  std::vector<Place> sorted(places.size());
+  for (unsigned shift = 0; shift < 3 * morton_levels; shift += bits) {
+    std::array<std::uint32_t, values + 1> starts{};
+    const auto digit = [shift](const Place& p) { return p.leaf >> shift & (values - 1); };
+    for (const Place& p : places) ++starts[digit(p) + 1];
+    for (std::size_t value = 0; value < values; ++value) starts[value + 1] += starts[value];
+    for (const Place& p : places) sorted[starts[digit(p)]++] = p;
+    places.swap(sorted);
+  }
+}
+
+/// Of each leaf.
+void sort_surfaces(std::vector<Place>& places) {
+  const auto lower = [](const Place& a, const Place& b) { return a.surface < b.surface; };
+  for (auto first = places.begin(), end = first; first != places.end(); first = end) {
+    while (end != places.end() && end->leaf == first->leaf) ++end;
+    if (end - first > 1) std::sort(first, end, lower);
+  }
 }
 
 }  // namespace
@@ -47,8 +83,7 @@ void PlaneLeaves::expect_sums(const PlaneLeafKey& key) const noexcept {
   if (slots_.empty()) return;
   const std::uint32_t found = slots_[slot_of(key, slots_.size())];
   if (found == 0) return;
-  const auto* const bytes = reinterpret_cast<const std::byte*>(&leaves_[found - 1]);
-  for (std::size_t at = 0; at < sizeof(PlaneLeaf); at += 64) __builtin_prefetch(bytes + at);
+  expect_leaf(leaves_[found - 1]);
 }
 
 std::uint32_t& PlaneLeaves::slot_for(const PlaneLeafKey& key) {
@@ -90,18 +125,19 @@ void PlaneLeaves::grow() {
 }
 
 std::vector<PlaneLeaf> PlaneLeaves::sorted() const {
-  struct Place {
-    PlaneLeafKey key;
-    std::uint32_t place;
-  };
   std::vector<Place> places;
   places.reserve(leaves_.size());
   for (const PlaneLeaf& leaf : leaves_)
-    places.push_back({leaf.key, static_cast<std::uint32_t>(places.size())});
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.key < b.key; });
+    places.push_back({leaf.key.leaf, leaf.key.surface, static_cast<std::uint32_t>(places.size())});
+  sort_by_leaf(places);
+  sort_surfaces(places);
   std::vector<PlaneLeaf> leaves;
   leaves.reserve(places.size());
-  for (const Place& p : places) leaves.push_back(leaves_[p.place]);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    constexpr std::size_t ahead = 8;
+    if (i + ahead < places.size()) expect_leaf(leaves_[places[i + ahead].place]);
+    leaves.push_back(leaves_[places[i].place]);
+  }
   return leaves;
 }
 

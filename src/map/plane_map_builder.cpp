@@ -49,12 +49,21 @@ struct Candidate {
   std::vector<std::uint32_t> leaves;
 };
 
-std::vector<std::uint32_t> leaves_of(const PlaneGroup& group, std::span<const PlanePatch> patches) {
-  std::vector<std::uint32_t> leaves;
-  for (const std::uint32_t p : group.patches)
-    leaves.insert(leaves.end(), patches[p].leaves.begin(), patches[p].leaves.end());
-  std::sort(leaves.begin(), leaves.end());
-  return leaves;
+/// The leaves of each group in the order of leaves.
+std::vector<std::vector<std::uint32_t>> leaves_of(std::span<const PlaneGroup> groups,
+                                                  std::span<const PlanePatch> patches, std::size_t leaves) {
+  std::vector<std::uint32_t> group_of(leaves, 0);
+  std::vector<std::vector<std::uint32_t>> of_groups(groups.size());
+  for (std::uint32_t g = 0; g < groups.size(); ++g) {
+    std::size_t count = 0;
+    for (const std::uint32_t p : groups[g].patches) {
+      for (const std::uint32_t i : patches[p].leaves) group_of[i] = g;
+      count += patches[p].leaves.size();
+    }
+    of_groups[g].reserve(count);
+  }
+  for (std::uint32_t i = 0; i < leaves; ++i) of_groups[group_of[i]].push_back(i);
+  return of_groups;
 }
 
 /// Of the worse one of the two tilts, without the floor, which is there however many readings come.
@@ -133,9 +142,11 @@ Result<PlaneMapReading> PlaneMapBuilder::build() const {
   reading.report.patches = static_cast<std::uint32_t>(patches.size());
   const std::vector<PlaneGroup> groups = group_patches(patches, leaves, options_);
   // Steps 6 and 7.
+  std::vector<std::vector<std::uint32_t>> group_leaves = leaves_of(groups, patches, leaves.size());
   std::vector<Candidate> candidates;
-  for (const PlaneGroup& group : groups) {
-    Candidate c{exported(group, options_), leaves_of(group, patches)};
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const PlaneGroup& group = groups[g];
+    Candidate c{exported(group, options_), std::move(group_leaves[g])};
     if (*c.plane.points < options_.min_points) {
       ++reading.report.too_few;
     } else if (group.surface.sightings == 0) {

@@ -12,7 +12,7 @@ namespace straightedge {
 namespace {
 
 ExtentPiece covered_by_leaf(const PlaneChart& chart, const PlaneLeaf& leaf) {
-  const Surface s = surface_of(leaf, cube_centre(leaf.key.leaf, 0));
+  const Surface s = surface_of(leaf, leaf_centre(morton_decode(leaf.key.leaf)));
   const double weight = s.moments.weight;
   const PlanePoint mean = chart.on(s.origin + (1 / weight) * Vector3{s.moments.x, s.moments.y, s.moments.z});
   const auto scatter = scatter_of(s.moments);

@@ -3,7 +3,6 @@
 #include "map/plane_patches.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "map/plane_key.hpp"
 
@@ -16,16 +15,24 @@ std::uint64_t block_of(const PlaneLeaf& leaf) {
   return leaf.key.leaf >> (3 * block_level);
 }
 
+struct LeafWeight {
+  std::int64_t weight;
+  std::uint32_t leaf;
+
+  /// The heavier first, equals in the order of leaves.
+  bool operator<(const LeafWeight& o) const { return weight != o.weight ? weight > o.weight : leaf < o.leaf; }
+};
+
 void patches_of_block(std::span<const PlaneLeaf> leaves, std::uint32_t first, std::uint32_t end,
-                      const PlaneMapOptions& options, std::vector<PlanePatch>& patches) {
+                      const PlaneMapOptions& options, std::vector<LeafWeight>& heaviest_first,
+                      std::vector<PlanePatch>& patches) {
   const std::size_t before = patches.size();
   const Vector3 origin = cube_centre(leaves[first].key.leaf, block_level);
-  std::vector<std::uint32_t> heaviest_first(end - first);
-  std::iota(heaviest_first.begin(), heaviest_first.end(), first);
-  std::stable_sort(heaviest_first.begin(), heaviest_first.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return leaves[a].sums.weight > leaves[b].sums.weight;
-  });
-  for (const std::uint32_t i : heaviest_first) {
+  heaviest_first.clear();
+  for (std::uint32_t i = first; i < end; ++i) heaviest_first.push_back({leaves[i].sums.weight, i});
+  std::sort(heaviest_first.begin(), heaviest_first.end());
+  for (const LeafWeight& next : heaviest_first) {
+    const std::uint32_t i = next.leaf;
     const Surface piece = surface_of(leaves[i], origin);
     const SurfaceEstimate where = estimate(piece, options);
     PlanePatch* best = nullptr;
@@ -52,12 +59,13 @@ void patches_of_block(std::span<const PlaneLeaf> leaves, std::uint32_t first, st
 
 std::vector<PlanePatch> make_patches(std::span<const PlaneLeaf> leaves, const PlaneMapOptions& options) {
   std::vector<PlanePatch> patches;
+  std::vector<LeafWeight> order;
   std::size_t first = 0;
   while (first < leaves.size()) {
     std::size_t end = first + 1;
     while (end < leaves.size() && block_of(leaves[end]) == block_of(leaves[first])) ++end;
     patches_of_block(leaves, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end), options,
-                     patches);
+                     order, patches);
     first = end;
   }
   std::stable_sort(patches.begin(), patches.end(), [](const PlanePatch& a, const PlanePatch& b) {

@@ -3,6 +3,7 @@
 #include "map/plane_raster.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 #include "straightedge/rounding.hpp"
@@ -79,6 +80,11 @@ void join(std::vector<CellRun>& runs, std::uint32_t a, std::uint32_t b) {
   runs[a].cells += runs[b].cells;
 }
 
+const std::uint8_t* find(const std::uint8_t* begin, const std::uint8_t* end, std::uint8_t value) {
+  const void* const found = std::memchr(begin, value, static_cast<std::size_t>(end - begin));
+  return found != nullptr ? static_cast<const std::uint8_t*>(found) : end;
+}
+
 /// Runs of that value row by row, joined into connected regions.
 std::vector<CellRun> regions_of(const Raster& raster, std::uint8_t value, bool by_corners) {
   const std::int32_t reach = by_corners ? 1 : 0;
@@ -88,10 +94,9 @@ std::vector<CellRun> regions_of(const Raster& raster, std::uint8_t value, bool b
     const std::uint8_t* const row = raster.cells.data() + raster.index(0, y);
     const std::uint8_t* const row_end = row + raster.width;
     const std::size_t row_begin = runs.size();
-    for (const std::uint8_t* at = std::find(row, row_end, value); at != row_end;
-         at = std::find(at, row_end, value)) {
+    for (const std::uint8_t* at = find(row, row_end, value); at != row_end; at = find(at, row_end, value)) {
       const std::uint8_t* const begin = at;
-      at = std::find(at, row_end, static_cast<std::uint8_t>(1 - value));
+      at = find(at, row_end, static_cast<std::uint8_t>(1 - value));
       const auto index = static_cast<std::uint32_t>(runs.size());
       const auto x0 = static_cast<std::int32_t>(begin - row), x1 = static_cast<std::int32_t>(at - row);
       runs.push_back({y, x0, x1, index, static_cast<std::uint64_t>(x1 - x0)});
@@ -107,6 +112,23 @@ std::vector<CellRun> regions_of(const Raster& raster, std::uint8_t value, bool b
 void set_run(Raster& raster, const CellRun& run, std::uint8_t value) {
   std::fill_n(raster.cells.begin() + static_cast<std::ptrdiff_t>(raster.index(run.begin, run.y)),
               run.end - run.begin, value);
+}
+
+/// 1 where a cell is covered and the one below it is not.
+std::vector<std::uint8_t> lower_borders(const Raster& raster) {
+  const auto width = static_cast<std::size_t>(raster.width);
+  std::vector<std::uint8_t> lower(raster.cells.size(), 0);
+  for (std::size_t i = width; i < lower.size(); ++i)
+    lower[i] = static_cast<std::uint8_t>(raster.cells[i] & (raster.cells[i - width] ^ 1U));
+  return lower;
+}
+
+/// round_half_even without a branch: where pieces end within a cell is anybody's guess.
+std::int64_t nearest_cell(double x) {
+  const std::int64_t below = floor_to_integer(x);
+  const double rest = x - static_cast<double>(below);
+  return below +
+         (static_cast<std::int64_t>(rest > 0.5) | (static_cast<std::int64_t>(rest == 0.5) & below & 1));
 }
 
 double cell_area(const Raster& raster, std::size_t cells) {
@@ -138,12 +160,14 @@ Raster raster_for(std::span<const ExtentPiece> pieces, double cell, double margi
 
 void paint(Raster& raster, const ExtentPiece& piece) {
   const auto cell = [&](double from_origin) {
-    return static_cast<std::int32_t>(round_half_even(from_origin / raster.cell));
+    return static_cast<std::int32_t>(nearest_cell(from_origin / raster.cell));
   };
   const std::int32_t x0 = cell(piece.a0 - raster.origin.a), x1 = cell(piece.a1 - raster.origin.a);
   const std::int32_t y0 = cell(piece.b0 - raster.origin.b), y1 = cell(piece.b1 - raster.origin.b);
+  const std::int32_t wide = std::max(x1 - x0, 1);
   for (std::int32_t y = y0; y < std::max(y1, y0 + 1); ++y) {
-    for (std::int32_t x = x0; x < std::max(x1, x0 + 1); ++x) raster.cells[raster.index(x, y)] = 1;
+    std::uint8_t* const row = &raster.cells[raster.index(x0, y)];
+    for (std::int32_t x = 0; x < wide; ++x) row[x] = 1;
   }
 }
 
@@ -205,31 +229,32 @@ std::vector<CellLoop> cell_borders(const Raster& raster) {
   // Headings: 0 right, 1 up, 2 left, 3 down. Covered cells are on the left of the way.
   constexpr std::int32_t step_x[] = {1, 0, -1, 0}, step_y[] = {0, 1, 0, -1};
   constexpr std::int32_t left_x[] = {0, -1, -1, 0}, left_y[] = {0, 0, -1, -1};  // cell ahead, on the left
-  std::vector<std::uint8_t> walked(raster.cells.size(), 0);                     // along a cell's lower side
+  // Cells whose lower side is a border that has not been walked along.
+  std::vector<std::uint8_t> lower = lower_borders(raster);
   std::vector<CellLoop> loops;
-  for (std::int32_t y = 1; y < raster.height; ++y) {
-    for (std::int32_t x = 0; x < raster.width; ++x) {
-      if (!raster.covered(x, y) || raster.covered(x, y - 1) || walked[raster.index(x, y)] != 0) continue;
-      CellLoop loop;
-      std::int32_t px = x, py = y, heading = 0;
-      do {
-        if (heading == 0) walked[raster.index(px, py)] = 1;
-        px += step_x[heading];
-        py += step_y[heading];
-        const std::int32_t right = (heading + 3) % 4;
-        std::int32_t turned = heading;
-        if (!raster.covered(px + left_x[heading], py + left_y[heading])) {
-          turned = (heading + 1) % 4;
-        } else if (raster.covered(px + left_x[right], py + left_y[right])) {
-          turned = right;
-        }
-        if (turned == heading) continue;
-        heading = turned;
-        loop.x.push_back(px);
-        loop.y.push_back(py);
-      } while (px != x || py != y || heading != 0);
-      loops.push_back(loop);
-    }
+  const std::uint8_t* const end = lower.data() + lower.size();
+  for (const std::uint8_t* start = find(lower.data(), end, 1); start != end; start = find(start, end, 1)) {
+    const auto index = static_cast<std::int32_t>(start - lower.data());
+    const std::int32_t x = index % raster.width, y = index / raster.width;
+    CellLoop loop;
+    std::int32_t px = x, py = y, heading = 0;
+    do {
+      if (heading == 0) lower[raster.index(px, py)] = 0;
+      px += step_x[heading];
+      py += step_y[heading];
+      const std::int32_t right = (heading + 3) % 4;
+      std::int32_t turned = heading;
+      if (!raster.covered(px + left_x[heading], py + left_y[heading])) {
+        turned = (heading + 1) % 4;
+      } else if (raster.covered(px + left_x[right], py + left_y[right])) {
+        turned = right;
+      }
+      if (turned == heading) continue;
+      heading = turned;
+      loop.x.push_back(px);
+      loop.y.push_back(py);
+    } while (px != x || py != y || heading != 0);
+    loops.push_back(loop);
   }
   return loops;
 }

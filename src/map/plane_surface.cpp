@@ -40,17 +40,6 @@ void Surface::add(const Surface& other) {
   sightings += other.sightings;
 }
 
-std::array<double, 6> scatter_of(const PlaneMoments& m) {
-  const double by_weight = 1 / m.weight;
-  return {m.xx - m.x * m.x * by_weight, m.xy - m.x * m.y * by_weight, m.xz - m.x * m.z * by_weight,
-          m.yy - m.y * m.y * by_weight, m.yz - m.y * m.z * by_weight, m.zz - m.z * m.z * by_weight};
-}
-
-double quadratic(const std::array<double, 6>& s, const Vector3& t) {
-  return s[0] * t.x * t.x + s[3] * t.y * t.y + s[5] * t.z * t.z +
-         2 * (s[1] * t.x * t.y + s[2] * t.x * t.z + s[4] * t.y * t.z);
-}
-
 Surface surface_of(const PlaneLeaf& leaf, const Vector3& origin) {
   const PlaneLeafSums& s = leaf.sums;
   constexpr double w = plane_grid::weight_unit;
@@ -70,7 +59,7 @@ Surface surface_of(const PlaneLeaf& leaf, const Vector3& origin) {
   m.zz = w * q * q * number(s.zz);
   m.count = static_cast<double>(s.readings);
   const Vector3 half_quantum{q / 2, q / 2, q / 2};
-  m = m.seen_from(origin - cube_centre(leaf.key.leaf, 0) - half_quantum);
+  m = m.seen_from(origin - leaf_centre(morton_decode(leaf.key.leaf)) - half_quantum);
   surface.towards_camera = (w * plane_grid::normal_unit) * Vector3{number(s.nx), number(s.ny), number(s.nz)};
   surface.tilt = w * plane_grid::tilt_unit * number(s.tilt);
   surface.residual = w * q * q * number(s.residual);
@@ -84,7 +73,6 @@ SurfaceEstimate estimate(const Surface& surface, const PlaneMapOptions& options)
   const std::array<double, 6> scatter = scatter_of(m);
   SurfaceEstimate e;
   e.centroid = surface.origin + (1 / m.weight) * Vector3{m.x, m.y, m.z};
-  e.extent = __builtin_sqrt(std::max(0.0, (scatter[0] + scatter[3] + scatter[5]) / m.weight));
   const double by_frames = options.shared_noise * surface.tilt / m.weight;
   e.normal = normalized(surface.towards_camera);
   const double bar = by_frames + square(options.floor.angle_rad);

@@ -27,8 +27,15 @@ struct Surface {
 };
 
 /// Scatter about the centroid, xx xy xz yy yz zz, and what of it lies along a direction.
-std::array<double, 6> scatter_of(const PlaneMoments& moments);
-double quadratic(const std::array<double, 6>& scatter, const Vector3& direction);
+inline std::array<double, 6> scatter_of(const PlaneMoments& m) {
+  const double by_weight = 1 / m.weight;
+  return {m.xx - m.x * m.x * by_weight, m.xy - m.x * m.y * by_weight, m.xz - m.x * m.z * by_weight,
+          m.yy - m.y * m.y * by_weight, m.yz - m.y * m.z * by_weight, m.zz - m.z * m.z * by_weight};
+}
+inline double quadratic(const std::array<double, 6>& s, const Vector3& t) {
+  return s[0] * t.x * t.x + s[3] * t.y * t.y + s[5] * t.z * t.z +
+         2 * (s[1] * t.x * t.y + s[2] * t.x * t.z + s[4] * t.y * t.z);
+}
 
 /// The sums of one leaf, counted from `origin`.
 Surface surface_of(const PlaneLeaf& leaf, const Vector3& origin);
@@ -39,7 +46,6 @@ struct SurfaceEstimate {
   Vector3 centroid, normal;
   Vector3 u, v;  ///< with the normal an orthonormal basis, right-handed
   double var_u = 0, var_v = 0, var_offset = 0;
-  double extent = 0;  ///< metres, root mean square distance of the readings from the centroid
 };
 
 /// The normal comes from the sums over places or from the mean of the frame planes' normals, whichever is

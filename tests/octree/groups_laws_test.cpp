@@ -130,6 +130,15 @@ TEST_CASE("a group is found by its cell, and has its leaves' points in their box
     }
   }
   CHECK(groups.find(Groups::address(1, 1, 1)) == groups.groups);
+  // Of another group both halves of the key are looked at, wherever the search for it begins.
+  for (std::uint32_t group = 0; group < groups.groups; ++group) {
+    MortonCell cell;
+    REQUIRE(octree.grid().cell_of(octree.point(groups.place[groups.first[group]]).position(), cell));
+    Groups::Address address = Groups::address(cell.x >> 2U, cell.y >> 2U, cell.z >> 2U);
+    REQUIRE(groups.find(address) == group);
+    address.key ^= std::uint64_t{1} << (group % 57);
+    REQUIRE(groups.find(address) == groups.groups);
+  }
 
   // Too little memory, or too few points in a leaf.
   groups.build(octree.nodes(), octree.grid(), sorted, std::span(memory).first(100));
