@@ -122,15 +122,15 @@ void for_near_points(std::span<const std::uint32_t> words, std::uint32_t first, 
   constexpr float infinity = std::numeric_limits<float>::infinity();
   Floats4 nearest{infinity, infinity, infinity, infinity}, next = nearest;
   const std::uint32_t begin = first - first % in_block;
-  Words4 place{begin, begin + 1, begin + 2, begin + 3}, nearest_place = place;
+  Words4 places{begin, begin + 1, begin + 2, begin + 3}, nearest_places = places;
   for (std::uint32_t block = begin; block < end; block += in_block) {
     const Floats4 here = filter.squared(words.data() + octree_point_words * block);
     const Floats4 farther = nearest < here ? here : nearest;
     next = farther < next ? farther : next;
     nearest = here < nearest ? here : nearest;
     // Not whether it is less: processors have a minimum in one step where its comparison is not needed.
-    nearest_place = nearest == here ? place : nearest_place;
-    place += in_block;
+    nearest_places = nearest == here ? places : nearest_places;
+    places += in_block;
   }
   const float least = least_of(nearest);
   if (least > filter.limit()) return;
@@ -140,7 +140,7 @@ void for_near_points(std::span<const std::uint32_t> words, std::uint32_t first, 
     for (std::uint32_t place = first; place < end; ++place) take_nearer(words, place, from, best);
   } else {
     for (Lanes<32> lanes(nearest <= limit); lanes.any();) {
-      take_nearer(words, nearest_place[lanes.take()], from, best);
+      take_nearer(words, nearest_places[lanes.take()], from, best);
     }
   }
   filter.set_limit(best.squared_distance);
