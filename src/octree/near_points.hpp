@@ -52,6 +52,7 @@ class FarFilter {
     return (halves[0] & halves[1]) == UINT64_MAX;
   }
 
+  bool far(float squared) const noexcept { return squared > limit_; }
   float limit() const noexcept { return limit_; }
   /// A point whose square in floats is `squared` is not farther than one whose square is this.
   float not_farther_than(float squared) const noexcept {
@@ -120,8 +121,18 @@ void for_near_points(std::span<const std::uint32_t> words, std::uint32_t first, 
                                                 OctreeNeighbour& best) noexcept {
   constexpr auto in_block = static_cast<std::uint32_t>(octree_block_points);
   constexpr float infinity = std::numeric_limits<float>::infinity();
-  Floats4 nearest{infinity, infinity, infinity, infinity}, next = nearest;
   const std::uint32_t begin = first - first % in_block;
+  // Of a few points each is looked at that may be nearer.
+  if (end - begin <= 2 * in_block) {
+    for (std::uint32_t block = begin; block < end; block += in_block) {
+      const Floats4 here = filter.squared(words.data() + octree_point_words * block);
+      for (std::uint32_t lane = 0; lane < in_block; ++lane)
+        if (!filter.far(here[lane])) take_nearer(words, block + lane, from, best);
+    }
+    filter.set_limit(best.squared_distance);
+    return;
+  }
+  Floats4 nearest{infinity, infinity, infinity, infinity}, next = nearest;
   Words4 places{begin, begin + 1, begin + 2, begin + 3}, nearest_places = places;
   for (std::uint32_t block = begin; block < end; block += in_block) {
     const Floats4 here = filter.squared(words.data() + octree_point_words * block);
