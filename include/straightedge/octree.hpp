@@ -10,6 +10,7 @@
 #include "straightedge/arena.hpp"
 #include "straightedge/detail/octree_leaf_groups.hpp"
 #include "straightedge/octree_grid.hpp"
+#include "straightedge/octree_kernels.hpp"
 #include "straightedge/octree_nodes.hpp"
 #include "straightedge/octree_point.hpp"
 #include "straightedge/octree_ray.hpp"
@@ -37,8 +38,8 @@
 /// points at the same distance the one with the lower index counts as nearer. Indices count the points
 /// as they were given: build(a), insert(b) gives those of a followed by b, and equals building both at once.
 ///
-/// Time: build linear in points (two to six passes); insert as much for the new points, plus a pass over all
-/// there are: many points a call, not one. Nearest about the height of the tree plus the points of a few
+/// Time: build linear in points (two to six passes); insert as much for the new, plus a pass over all there
+/// are: many points a call, not one. Nearest about the height of the tree plus the points of a few
 /// leaves. Memory: 16 bytes a point and 32 a leaf, all in the workspace; sorting takes place in the memory of
 /// the result. Queries take at most 4 KB of stack, since a node leaves at most seven others behind a level.
 namespace straightedge {
@@ -46,6 +47,7 @@ namespace straightedge {
 struct OctreeOptions {
   OctreeGrid grid = {};
   std::uint32_t max_leaves = 0;  ///< there is memory for; 0 = as many as points. A quarter to spare: step 6
+  const OctreeKernels* kernels = &plain_octree_kernels;  ///< not null
 };
 
 /// What build and insert say; a status other than `ok` tells why nothing was added.
@@ -65,7 +67,7 @@ inline constexpr double octree_unlimited = std::numeric_limits<double>::infinity
 
 /// `prepare` once, `build` many times; the workspace is the caller's and must outlive the object. Queries
 /// change nothing, so any number of them may run at a time. Each says `not_prepared`, or `invalid_option`
-/// when a position is not within 1e100 of 0 or a distance is negative or not a number.
+/// for a position not within 1e100 of 0, or a distance that is negative or no number.
 class Octree {
  public:
   /// Bytes that `prepare` needs; 0 when capacity or options are invalid. Usable in constant expressions.
@@ -77,8 +79,8 @@ class Octree {
     return arena.used();
   }
 
-  /// `invalid_option` (grid), `too_large` (capacity not 1 to 2^30, or more than the machine can
-  /// address), `workspace_too_small`; each leaves `octree` unprepared.
+  /// `invalid_option`, `too_large` (capacity not 1 to 2^30, or more than the machine can address),
+  /// `workspace_too_small`; each leaves `octree` unprepared.
   static Status prepare(Octree& octree, std::uint32_t capacity, const OctreeOptions& options,
                         std::span<std::byte> workspace) noexcept;
 
@@ -105,8 +107,7 @@ class Octree {
   OctreeFound first_hit(const OctreeRay& ray, OctreeCrossing& out) const noexcept;
 
   const OctreeGrid& grid() const noexcept { return options_.grid; }
-  /// The tree. Points of node i are those from nodes()[i].first on, count_of(i) of them, in the order of
-  /// `point`.
+  /// The tree. Points of node i: nodes().count_of(i) places from nodes()[i].first on.
   const OctreeNodes& nodes() const noexcept { return nodes_; }
   std::uint32_t size() const noexcept { return size_; }
   /// Point at a place of the sorted order, below size().
@@ -143,8 +144,7 @@ class Octree {
   Memory memory_;
   OctreeNodes nodes_;
   detail::OctreeLeafGroups groups_;
-  std::uint32_t size_ = 0;
-  std::uint32_t given_ = 0;  ///< points of all calls since build, those left out too
+  std::uint32_t size_ = 0, given_ = 0;  ///< given: points of all calls since build, those left out too
 };
 
 }  // namespace straightedge

@@ -22,6 +22,7 @@ constexpr KernelSet all_sets[] = {
      .hough = &avx2_hough_kernels,
      .depth = &avx2_depth_kernels,
      .plane_search = &avx2_plane_search_kernels,
+     .octree = &avx2_octree_kernels,
      .plane_rows = &avx2_plane_row_kernels,
      .picture_rows = &avx2_picture_row_kernels},
     {.name = "avx512",
@@ -30,6 +31,7 @@ constexpr KernelSet all_sets[] = {
      .hough = &avx512_hough_kernels,
      .depth = &avx512_depth_kernels,
      .plane_search = &avx512_plane_search_kernels,
+     .octree = &avx512_octree_kernels,
      .plane_rows = &avx512_plane_row_kernels,
      .picture_rows = &avx512_picture_row_kernels},
 #endif

@@ -32,7 +32,7 @@ void fill_block(std::span<std::uint32_t> words, std::size_t points) noexcept {
 Status Octree::prepare(Octree& octree, std::uint32_t capacity, const OctreeOptions& options,
                        std::span<std::byte> workspace) noexcept {
   octree = Octree();
-  const Status status = check(capacity, options);
+  const Status status = options.kernels == nullptr ? Status::invalid_option : check(capacity, options);
   if (status != Status::ok) return status;
   Arena arena(workspace);
   octree.memory_ = Memory::take(arena, capacity, options);
@@ -79,7 +79,7 @@ OctreeBuildResult Octree::add(const PointsView& points) noexcept {
   const std::size_t new_place = octree_full_blocks(size_);
   const std::span<std::uint32_t> behind = memory_.points.subspan(octree_point_words * new_place);
   const octree::SortedRuns runs =
-      octree::sort_runs(points, options_.grid, capacity_ - size_, behind, memory_.counts);
+      octree::sort_runs(points, options_.grid, *options_.kernels, capacity_ - size_, behind, memory_.counts);
   result.status = Status::size_mismatch;
   if (!runs.fit) return result;
   octree::copy_points(runs, points, options_.grid, given_, behind,

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "straightedge/octree_grid.hpp"
+#include "straightedge/octree_kernels.hpp"
 #include "straightedge/points_view.hpp"
 
 namespace straightedge::octree {
@@ -32,6 +33,6 @@ struct CellBatch {
 
 /// Equation (1) of octree_grid.hpp for points `begin` to `begin + count`, a full batch but for the last.
 void cells_of(const PointsView& view, const OctreeGrid& grid, std::size_t begin, std::size_t count,
-              CellBatch& cells) noexcept;
+              const OctreeKernels& kernels, CellBatch& cells) noexcept;
 
 }  // namespace straightedge::octree

@@ -103,15 +103,15 @@ class RunReader {
   std::size_t first_ = 0;
 };
 
-Runs read_runs(const PointsView& view, const OctreeGrid& grid, std::uint32_t most,
-               const Pairs& pairs) noexcept {
+Runs read_runs(const PointsView& view, const OctreeGrid& grid, const OctreeKernels& kernels,
+               std::uint32_t most, const Pairs& pairs) noexcept {
   RunReader reader(most, pairs);
   CellBatch cells;
   RunStarts starts;
   for (std::size_t begin = 0; begin < view.count; begin += CellBatch::size) {
     const std::size_t left = view.count - begin;
     const std::size_t count = left < CellBatch::size ? left : CellBatch::size;
-    cells_of(view, grid, begin, count, cells);
+    cells_of(view, grid, begin, count, kernels, cells);
     starts.find(cells, count);
     reader.read(starts, begin);
   }
@@ -140,10 +140,11 @@ std::uint64_t SortedRuns::code(const Pairs::Pair& run, const PointsView& view,
   return one_part ? above | (run.key & part_mask) : code_at(view, grid, run.index);
 }
 
-SortedRuns sort_runs(const PointsView& view, const OctreeGrid& grid, std::uint32_t most,
-                     std::span<std::uint32_t> memory, std::span<std::uint32_t> counts) noexcept {
+SortedRuns sort_runs(const PointsView& view, const OctreeGrid& grid, const OctreeKernels& kernels,
+                     std::uint32_t most, std::span<std::uint32_t> memory,
+                     std::span<std::uint32_t> counts) noexcept {
   // Step 1
-  const Runs runs = read_runs(view, grid, most, Pairs(memory));
+  const Runs runs = read_runs(view, grid, kernels, most, Pairs(memory));
   if (!runs.fit) return {};
 
   // Step 2: nine levels at a time, so that a pair takes 8 bytes, and pairs in two places 16, as points do.

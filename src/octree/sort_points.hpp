@@ -8,6 +8,7 @@
 
 #include "octree/radix_sort.hpp"
 #include "straightedge/octree_grid.hpp"
+#include "straightedge/octree_kernels.hpp"
 #include "straightedge/octree_point.hpp"
 #include "straightedge/points_view.hpp"
 
@@ -32,8 +33,9 @@ struct SortedRuns {
 };
 
 /// Steps 1 and 2, in memory for `most` points and octree_spare_points.
-SortedRuns sort_runs(const PointsView& view, const OctreeGrid& grid, std::uint32_t most,
-                     std::span<std::uint32_t> memory, std::span<std::uint32_t> counts) noexcept;
+SortedRuns sort_runs(const PointsView& view, const OctreeGrid& grid, const OctreeKernels& kernels,
+                     std::uint32_t most, std::span<std::uint32_t> memory,
+                     std::span<std::uint32_t> counts) noexcept;
 
 /// Points that are written one after another. A block is written whole, up to three places too far.
 class BlockWriter {

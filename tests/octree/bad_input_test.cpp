@@ -26,6 +26,7 @@ TEST_CASE("prepare refuses bad options and too little memory") {
     CHECK(Octree::prepare(octree, 10, {.grid = {.origin = {0, bad, 0}}}, memory) == Status::invalid_option);
     CHECK(Octree::prepare(octree, 10, {.grid = {.origin = {0, 0, bad}}}, memory) == Status::invalid_option);
   }
+  CHECK(Octree::prepare(octree, 10, {.kernels = nullptr}, memory) == Status::invalid_option);
   CHECK(Octree::prepare(octree, 0, {}, memory) == Status::too_large);
   CHECK(Octree::prepare(octree, (1U << 30U) + 1, {}, memory) == Status::too_large);
   CHECK(Octree::workspace_bytes(0, {}) == 0);

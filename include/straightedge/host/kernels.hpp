@@ -9,6 +9,7 @@
 #include "straightedge/depth_kernels.hpp"
 #include "straightedge/host/result.hpp"
 #include "straightedge/hough_kernels.hpp"
+#include "straightedge/octree_kernels.hpp"
 #include "straightedge/plane_search_kernels.hpp"
 #include "straightedge/ransac_kernels.hpp"
 
@@ -39,6 +40,7 @@ struct KernelSet {
   const HoughKernels* hough = &plain_hough_kernels;
   const DepthKernels* depth = &plain_depth_kernels;
   const PlaneSearchKernels* plane_search = &plain_plane_search_kernels;
+  const OctreeKernels* octree = &plain_octree_kernels;
   const PlaneRowKernels* plane_rows = &plain_plane_row_kernels;
   const PictureRowKernels* picture_rows = &plain_picture_row_kernels;
 };
