@@ -32,8 +32,9 @@ double time_ms(const std::function<void()>& call, int times, Clock clock) {
   return (now_ms(clock) - before) / times;
 }
 
+/// As many as fill a turn. The first call, which fetches memory, tells only that one may be too few.
 int calls_a_turn(const Job& job, const std::function<void()>& call, Clock clock) {
-  if (job.one_call_a_turn) return 1;
+  if (time_ms(call, 1, clock) >= least_ms_a_turn || job.one_call_a_turn) return 1;
   return static_cast<int>(std::clamp(least_ms_a_turn / time_ms(call, 1, clock), 1.0, 1000.0));
 }
 
@@ -51,16 +52,14 @@ void print_head() {
 }
 
 void print_row(const Job& job, int rounds, Clock clock) {
-  job.ours();
-  job.theirs();
+  const int our_calls = calls_a_turn(job, job.ours, clock);
+  const int their_calls = calls_a_turn(job, job.theirs, clock);
   if (!job.agree()) {
     std::fprintf(stderr, "%s\n", job.answers().c_str());
     std::fprintf(stderr, "%s, %s, %s, %s: the answers differ\n", job.name.c_str(), job.size.c_str(),
                  job.kernels.c_str(), job.peer.c_str());
     std::exit(70);
   }
-  const int our_calls = calls_a_turn(job, job.ours, clock),
-            their_calls = calls_a_turn(job, job.theirs, clock);
   std::vector<double> ours, theirs, ratios;
   double spent = 0;
   for (int round = 0; round < rounds && (round < 3 || spent < most_ms_a_row); ++round) {

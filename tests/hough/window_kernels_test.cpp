@@ -178,7 +178,8 @@ TEST_CASE("windows found together give the segments of one after the other") {
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     const Boxes boxes({60 + static_cast<int>(seed), 90}, seed);
-    for (const std::int32_t threshold : {1, 6, 12, std::numeric_limits<std::int32_t>::max()}) {
+    constexpr std::int32_t thresholds[] = {1, 6, 12, std::numeric_limits<std::int32_t>::max()};
+    for (const std::int32_t threshold : thresholds) {
       HoughOptions options{.threshold = threshold, .min_length = 6, .max_gap = 2, .seed = seed};
       options.generator = seed % 2 == 0 ? HoughGenerator::opencv : HoughGenerator::pcg32;
       options.gradient_window = seed % 3 == 0 ? 0.1 : 0.4;
