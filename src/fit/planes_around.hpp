@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "base/lowest_bit.hpp"
 #include "four_labels.hpp"
 #include "labels_around.hpp"
 #include "straightedge/image.hpp"
@@ -56,7 +56,7 @@ struct PlanesAround {
   void find(Rows& rows) noexcept {
     for (std::size_t first = 0; first < rows.size(); ++first) {
       while (rows[first] != 0) {
-        const auto shift = static_cast<std::uint32_t>(std::countr_zero(rows[first])) & 0x30U;
+        const auto shift = lowest_bit(rows[first]) & 0x30U;
         const auto same = static_cast<std::uint16_t>(rows[first] >> shift);
         std::uint32_t columns = 0;
         for (std::size_t i = first; i < rows.size(); ++i) {

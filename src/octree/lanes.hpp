@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/lowest_bit.hpp"
+
 namespace straightedge::octree {
 
 inline constexpr bool little_endian = std::endian::native == std::endian::little;
@@ -24,8 +26,8 @@ class Lanes {
   /// The lowest that is left; there must be one.
   std::uint32_t take() noexcept {
     const std::uint32_t half = halves_[0] != 0 ? 0 : 1;
-    const auto at = static_cast<std::uint32_t>(little_endian ? std::countr_zero(halves_[half])
-                                                             : std::countl_zero(halves_[half]));
+    const std::uint32_t at = little_endian ? detail::lowest_bit(halves_[half])
+                                           : static_cast<std::uint32_t>(std::countl_zero(halves_[half]));
     constexpr std::uint64_t one = (std::uint64_t{1} << bits) - 1;
     halves_[half] &= ~(little_endian ? one << at : one << (64 - bits - at));
     return at / bits + 64 / bits * half;
