@@ -87,7 +87,7 @@ struct LineMapResult {
 /// edge may come in pieces or twice.
 ///
 /// Failures: bad_content (no pixels), bad_option (out of range, or a picture too large for the Hough
-/// transform: sides up to 32767). Time proportional to the pixels plus the lines; memory about 25 bytes a
+/// transform: sides up to 32767). Time proportional to the pixels plus the lines; memory about 15 bytes a
 /// pixel. Nothing depends on the kernels but the time.
 Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options = {},
                                      const KernelSet& kernels = best_kernels());
