@@ -27,8 +27,22 @@ constexpr std::int32_t lanes = STRAIGHTEDGE_LANES;
 
 #if STRAIGHTEDGE_LANES > 1
 using Lanes [[gnu::vector_size(STRAIGHTEDGE_LANES * 4)]] = float;
+/// What comparing lanes gives.
+using Marks [[gnu::vector_size(STRAIGHTEDGE_LANES * 4)]] = std::int32_t;
+
+[[maybe_unused]] inline bool any(const Marks& marks) noexcept {
+  std::uint64_t words[STRAIGHTEDGE_LANES / 2], all = 0;
+  std::memcpy(words, &marks, sizeof words);
+  for (const std::uint64_t word : words) all |= word;
+  return all != 0;
+}
 #else
 using Lanes = float;
+using Marks = bool;
+
+[[maybe_unused]] inline bool any(Marks mark) noexcept {
+  return mark;
+}
 #endif
 
 [[maybe_unused]] inline Lanes load(const float* from) noexcept {

@@ -39,18 +39,10 @@ struct CellLanes {
 };
 
 #if STRAIGHTEDGE_LANES == 1
-using Marks = bool;
-
 Marks marks_of(std::uint32_t bits, std::int32_t first) noexcept {
   return (bits >> static_cast<std::uint32_t>(first) & 1U) != 0;
 }
-
-bool any(Marks mark) noexcept {
-  return mark;
-}
 #else
-using Marks [[gnu::vector_size(STRAIGHTEDGE_LANES * 4)]] = std::int32_t;
-
 /// From a bit for each cell.
 Marks marks_of(std::uint32_t bits, std::int32_t first) noexcept {
   constexpr std::int32_t each[DepthCellTask::cells] = {1,       1 << 1,  1 << 2,  1 << 3, 1 << 4,  1 << 5,
@@ -59,13 +51,6 @@ Marks marks_of(std::uint32_t bits, std::int32_t first) noexcept {
   Marks bit;
   std::memcpy(&bit, each + first, sizeof bit);
   return ((Marks{} + static_cast<std::int32_t>(bits)) & bit) != Marks{};
-}
-
-bool any(const Marks& marks) noexcept {
-  std::uint64_t words[lanes / 2], all = 0;
-  std::memcpy(words, &marks, sizeof words);
-  for (const std::uint64_t word : words) all |= word;
-  return all != 0;
 }
 #endif
 

@@ -12,22 +12,6 @@ constexpr std::int32_t side = DepthChoice::side;
 constexpr float columns[DepthChoice::pixels] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
 constexpr float rows[DepthChoice::pixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 
-#if STRAIGHTEDGE_LANES > 1
-using Marks [[gnu::vector_size(STRAIGHTEDGE_LANES * 4)]] = std::int32_t;
-bool any(const Marks& marks) noexcept {
-  std::uint64_t words[STRAIGHTEDGE_LANES / 2], all = 0;
-  std::memcpy(words, &marks, sizeof words);
-  for (const std::uint64_t word : words) all |= word;
-  return all != 0;
-}
-#else
-using Marks = bool;
-
-bool any(Marks mark) noexcept {
-  return mark;
-}
-#endif
-
 #if STRAIGHTEDGE_LANES > 4
 using Four [[gnu::vector_size(16)]] = float;
 
