@@ -51,4 +51,7 @@ small "$work/explain-ransac/best-triple.png" ransac-triple.png
 small "$work/explain-ransac/hypotheses.png" ransac-hypotheses.png -resize "640x>"
 small "$work/explain-hough/accumulator.png" hough-accumulator.png -resize "640x>"
 small "$work/explain-hough/patches.png" hough-patches.png
+for picture in octree-4 octree-2 octree-0 octree-question; do
+  small "$work/explain-ransac/$picture.png" "$picture.png" -resize "480x>"
+done
 du -ch "$to"/*.png | tail -n 1

@@ -19,6 +19,8 @@ add_library(straightedge_explain STATIC
   ${CMAKE_CURRENT_LIST_DIR}/explain_image.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_legend.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_line_sections.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/explain_octree.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/explain_octree_section.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_overlays.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_pictures.cpp
   ${CMAKE_CURRENT_LIST_DIR}/explain_planes_hough.cpp

@@ -149,6 +149,7 @@ io::HtmlPage page_of(DepthStory& story) {
   append(page.sections, ransac ? ransac_sections(story) : hough_sections(story));
   append(page.sections, labelling_sections(story));
   append(page.sections, result_sections(story));
+  append(page.sections, octree_sections(story));
   page.footer = "Made by straightedge " + story.options.version + ".";
   return page;
 }

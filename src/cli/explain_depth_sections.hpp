@@ -33,6 +33,7 @@ std::vector<io::HtmlSection> ransac_sections(DepthStory& story);
 std::vector<io::HtmlSection> hough_sections(DepthStory& story);
 std::vector<io::HtmlSection> labelling_sections(DepthStory& story);
 std::vector<io::HtmlSection> result_sections(DepthStory& story);
+std::vector<io::HtmlSection> octree_sections(DepthStory& story);
 
 /// Encodes the picture, and says where it stands.
 io::HtmlFigure add_figure(DepthStory& story, const std::string& file, const Image<Rgb>& picture,

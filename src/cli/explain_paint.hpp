@@ -3,8 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
+#include "straightedge/host/draw.hpp"
 #include "straightedge/host/image.hpp"
+#include "straightedge/trigonometry.hpp"
 
 namespace straightedge::cli {
 
@@ -26,6 +29,17 @@ Image<Rgb> paint(Size size, int zoom, Colour colour) {
     for (int k = 1; k < zoom; ++k) std::copy_n(first, picture.width(), picture.view().row(y * zoom + k));
   }
   return picture;
+}
+
+inline void draw_circle(Image<Rgb>& picture, Point2 middle, double radius, const Stroke& stroke) {
+  const int steps = std::max(24, static_cast<int>(radius));
+  Point2 last{middle.x + radius, middle.y};
+  for (int k = 1; k <= steps; ++k) {
+    const double angle = 2 * pi * k / steps;
+    const Point2 next{middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle)};
+    draw_line(picture.view(), last, next, stroke);
+    last = next;
+  }
 }
 
 }  // namespace straightedge::cli

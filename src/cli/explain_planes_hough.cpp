@@ -56,17 +56,6 @@ std::vector<std::uint32_t> best_of_directions(const HoughAccumulator& accumulato
   return best;
 }
 
-void draw_circle(Image<Rgb>& picture, Point2 middle, double radius, const Stroke& stroke) {
-  const int steps = std::max(24, static_cast<int>(radius));
-  Point2 last{middle.x + radius, middle.y};
-  for (int k = 1; k <= steps; ++k) {
-    const double angle = 2 * pi * k / steps;
-    const Point2 next{middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle)};
-    draw_line(picture.view(), last, next, stroke);
-    last = next;
-  }
-}
-
 void draw_rings(Image<Rgb>& picture) {
   const Point2 middle{border + disc / 2.0, border + disc / 2.0};
   for (const int degrees : {30, 60, 90}) {

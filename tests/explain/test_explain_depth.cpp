@@ -102,7 +102,9 @@ const std::set<std::string> common_pictures = {"depth.png",          "inverse-de
                                                "candidates.png",     "cell-labels-32.png",
                                                "cell-labels-16.png", "cell-labels-8.png",
                                                "cell-labels-4.png",  "labels.png",
-                                               "residuals.png",      "map.svg"};
+                                               "residuals.png",      "map.svg",
+                                               "octree-4.png",       "octree-2.png",
+                                               "octree-0.png",       "octree-question.png"};
 
 std::set<std::string> with(std::set<std::string> names, const std::set<std::string>& more) {
   names.insert(more.begin(), more.end());
