@@ -93,14 +93,14 @@ class FramePlanes {
     }
     const std::size_t small_cells = DepthCells::cell_count(DepthCells::size_of(size, finest));
     visited_ = arena.take<std::uint16_t>(small_cells);
-    list_ = arena.take<std::int32_t>(small_cells + std::size_t(DepthCells::size_of(size, finest).height));
+    runs_ = arena.take<std::int32_t>(small_cells);
     candidates_ = arena.take<ProposedPlane>(options.max_planes);
     surfaces_ = arena.take<detail::BentPlane>(options.max_planes);
     squares_ = arena.take<double>(options.max_planes);
     sums_ = arena.take<detail::QuadraticSums>(options.max_planes);
     float_surfaces_ = detail::take_surfaces(arena, options.max_planes);
     contacts_ = arena.take<std::uint32_t>(std::size_t{options.max_planes} * (options.max_planes - 1U) / 2);
-    first_ = arena.take<std::uint32_t>(options.max_planes);
+    solid_ = arena.take<std::uint32_t>(options.max_planes);
     cells_of_ = arena.take<std::uint32_t>(options.max_planes);
     moments_ = arena.take<InverseDepthMoments>(options.max_planes);
     becomes_ = arena.take<std::uint16_t>(options.max_planes);
@@ -113,10 +113,13 @@ class FramePlanes {
   std::span<std::uint16_t> small_cell_labels() const noexcept {
     return cell_labels_[static_cast<std::size_t>(cells_.finest())];
   }
-  void refit(const PinholeCamera& camera) noexcept;
-  void join(const detail::PlaneSurfaces& fitting) noexcept;
+  void refit(const PinholeCamera& camera, std::uint32_t first_new) noexcept;
+  void join(const detail::PlaneSurfaces& fitting, std::uint32_t first_new) noexcept;
   void keep() noexcept;
+  void rename_cells(std::span<const std::uint16_t> by) noexcept;
   void sort_by_cells() noexcept;
+  void count_solid(bool drop_crumbs) noexcept;
+  void clear_round() noexcept;
   void judge(const PinholeCamera& camera, bool last) noexcept;
   void clear_cell(std::int32_t cell) noexcept;
   Status finish(const DepthView& depth, ImageView<std::uint16_t> labels, std::span<FoundPlane> planes,
@@ -130,14 +133,14 @@ class FramePlanes {
   DepthCells cells_;
   std::array<std::span<std::uint16_t>, DepthCells::levels> cell_labels_{};
   std::span<std::uint16_t> visited_;
-  std::span<std::int32_t> list_;
+  std::span<std::int32_t> runs_;
   std::span<ProposedPlane> candidates_;
   std::span<detail::BentPlane> surfaces_;
   std::span<double> squares_;  // residuals of each plane's cells from its surface
   DepthSurfaces float_surfaces_;
   std::span<detail::QuadraticSums> sums_;
   std::span<std::uint32_t> contacts_;          // touching cells of each pair of planes
-  std::span<std::uint32_t> first_, cells_of_;  // each plane's first cell, and how many it has
+  std::span<std::uint32_t> solid_, cells_of_;  // of each plane's cells those in solid pieces, and all
   std::span<InverseDepthMoments> moments_;
   /// What becomes of each plane: itself, an earlier one that it is joined into, or gone; in the end their
   /// order.

@@ -38,6 +38,15 @@ constexpr std::uint16_t with_trust(std::uint16_t label, Trust trust) noexcept {
 constexpr std::uint16_t label_of(std::uint16_t marked) noexcept {
   return static_cast<std::uint16_t>(marked & ~LabelsAround::mark);
 }
+/// Bit i: cell i has a plane.
+std::uint32_t cells_with_plane(const std::uint16_t* labels, std::int32_t count) noexcept {
+  std::uint32_t bits = 0;
+  std::int32_t i = 0;
+  for (; i + 4 <= count; i += 4) bits |= lowest_of(not_zero(four(labels + i)) >> 15U) << i;
+  for (; i < count; ++i) bits |= static_cast<std::uint32_t>(labels[i] != 0) << i;
+  return bits;
+}
+
 /// Each label with how far it is trusted.
 void mark(DepthCellPlanes& found) noexcept {
   for (std::int32_t i = 0; i < DepthCellTask::cells; ++i) {
@@ -82,6 +91,7 @@ struct Parents {
 struct Group {
   DepthCellTask task;
   std::uint32_t settled = 0;  ///< cells whose label is known
+  std::uint32_t open = 0;     ///< those that choose
   std::array<std::uint16_t, at_once> label;
 };
 
@@ -154,7 +164,7 @@ struct Level {
     }
     group.settled = cells_of(settled | newly_settled);
     group.task.given = cells_of(given);
-    group.task.open = cells_of(all & ~(settled | newly_settled));
+    group.open = cells_of(all & ~(settled | newly_settled));
     for (std::uint32_t i = 0; group.settled != 0 && i < parents_at_once; ++i) {
       const bool marked = !is_finest() && ((settled | newly_settled) >> i & 1U) != 0;
       const std::uint16_t label = marked ? with_trust(own.label[i], Trust::settled) : own.label[i];
@@ -174,46 +184,52 @@ struct Level {
       group.task.of[group.task.asked++] = static_cast<std::uint16_t>(cells_of(parents));
     }
   }
+  std::uint16_t* row(std::int32_t x, std::int32_t y) const noexcept {
+    return labels_of(level).data() + static_cast<std::ptrdiff_t>(y) * work.cells.size(level).width + x;
+  }
+  /// The cells of a group's row that have no plane yet.
+  std::uint32_t free_cells(std::int32_t x, std::int32_t y) const noexcept {
+    const std::int32_t count = std::min(at_once, work.cells.size(level).width - x);
+    return ~cells_with_plane(row(x, y), count) & ((1U << static_cast<std::uint32_t>(count)) - 1U);
+  }
   void write_row(Group& group, std::int32_t x, std::int32_t y) const noexcept {
-    const Size size = work.cells.size(level);
-    const std::int32_t count = std::min(at_once, size.width - x);
-    const auto place =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
-    std::uint16_t* out = labels_of(level).data() + place;
+    const std::uint32_t free = free_cells(x, y), settled = group.settled & free;
+    std::uint16_t* out = row(x, y);
     DepthCellTask& task = group.task;
-    task.at = work.cells.rows(level, place);
-    for (std::int32_t i = 0; group.settled != 0 && i < count; ++i) {
-      out[i] = task.at.first[i] >= task.least ? group.label[static_cast<std::size_t>(i)] : std::uint16_t{0};
+    task.at = work.cells.rows(level, static_cast<std::size_t>(out - labels_of(level).data()));
+    const std::uint32_t fresh = is_finest() ? CellLabeller::fresh : 0U;
+    for (std::uint32_t i = 0; settled >> i != 0; ++i) {
+      if ((settled >> i & 1U) != 0 && task.at.first[i] >= task.least)
+        out[i] = static_cast<std::uint16_t>(group.label[i] | fresh);
     }
-    const std::uint32_t open = task.open;
-    const std::uint32_t all = (1U << static_cast<std::uint32_t>(count)) - 1U;
-    task.open &= all;
-    if (task.open != 0) {
-      DepthCellPlanes found;
-      work.kernels.choose_planes(task, surfaces, found);
-      if (!is_finest()) mark(found);
-      if (task.open == all) {
-        std::copy(found.label, found.label + count, out);
-      } else {
-        for (std::int32_t i = 0; i < count; ++i) {
-          if ((open >> static_cast<std::uint32_t>(i) & 1U) != 0) out[i] = found.label[i];
-        }
-      }
+    task.open = group.open & free;
+    if (task.open == 0) return;
+    DepthCellPlanes found;
+    work.kernels.choose_planes(task, surfaces, found);
+    if (is_finest()) {
+      for (std::uint16_t& label : found.label) label = label != 0 ? static_cast<std::uint16_t>(label | fresh) : label;
+    } else {
+      mark(found);
     }
-    task.open = open;
+    for (std::uint32_t i = 0; task.open >> i != 0; ++i) {
+      if ((task.open >> i & 1U) != 0) out[i] = found.label[i];
+    }
   }
   void label_below(std::int32_t X, std::int32_t Y) const noexcept {
+    const std::int32_t bottom = std::min(2 * Y + 2, work.cells.size(level).height);
+    std::uint32_t free = 0;
+    for (std::int32_t y = 2 * Y; y < bottom; ++y) free |= free_cells(2 * X, y);
+    if (free == 0) return;
     Group group;
     begin(group.task);
     open(X, Y, group);
-    const std::int32_t bottom = std::min(2 * Y + 2, work.cells.size(level).height);
     for (std::int32_t y = 2 * Y; y < bottom; ++y) write_row(group, 2 * X, y);
   }
   void label_coarsest() const noexcept {
     const Size size = work.cells.size(level);
     Group group;
     begin(group.task);
-    group.task.open = 0xFFFF;
+    group.open = 0xFFFF;
     for (std::int32_t y = 0; y < size.height; ++y) {
       for (std::int32_t x = 0; x < size.width; x += at_once) write_row(group, x, y);
     }

@@ -14,8 +14,12 @@ namespace straightedge::detail {
 
 using CellLabels = std::array<std::span<std::uint16_t>, DepthCells::levels>;
 
-/// Step 3 of frame_planes.hpp: every cell of every level takes one of the planes (its index + 1) or none (0).
+/// Step 3 of frame_planes.hpp: every cell of every level that has no plane (0) takes one (its index + 1) or
+/// none.
 struct CellLabeller {
+  /// Beside the label of a smallest cell that has just got it.
+  static constexpr std::uint16_t fresh = 0x4000;
+
   const DepthCells& cells;
   std::span<const BentPlane> planes;
   const PlaneGate& gate;

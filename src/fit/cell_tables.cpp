@@ -41,18 +41,4 @@ void count_contacts(Size size, std::span<const std::uint16_t> labels,
   }
 }
 
-void count_cells(std::span<const std::uint16_t> labels, std::span<std::uint32_t> first,
-                 std::span<std::uint32_t> count) noexcept {
-  std::fill(count.begin(), count.end(), 0U);
-  for (std::size_t i = 0; i < labels.size();) {
-    const std::size_t begin = i;
-    const std::uint16_t label = labels[i++];
-    while (i + 4 < labels.size() && four(labels.data() + i) == label * four_ones) i += 4;
-    while (i < labels.size() && labels[i] == label) ++i;
-    if (label == 0) continue;
-    if (count[label - 1U] == 0) first[label - 1U] = static_cast<std::uint32_t>(begin);
-    count[label - 1U] += static_cast<std::uint32_t>(i - begin);
-  }
-}
-
 }  // namespace straightedge::detail

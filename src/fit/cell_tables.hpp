@@ -34,8 +34,4 @@ struct Contacts {
   }
 };
 
-/// Each plane's first cell, and how many it has.
-void count_cells(std::span<const std::uint16_t> labels, std::span<std::uint32_t> first,
-                 std::span<std::uint32_t> count) noexcept;
-
 }  // namespace straightedge::detail

@@ -9,6 +9,7 @@
 #include "cell_tables.hpp"
 #include "free_cells.hpp"
 #include "pixel_labels.hpp"
+#include "cell_pieces.hpp"
 #include "plane_shape.hpp"
 #include "plane_surfaces.hpp"
 #include "rename_labels.hpp"
@@ -17,7 +18,10 @@
 namespace straightedge {
 namespace {
 
-constexpr std::uint16_t gone = 0xFFFF;
+// What becomes of planes that leave; of a round thing's strip the cells, too.
+constexpr std::uint16_t gone = 0xFFFF, gone_with_cells = 0xFFFE;
+// Pieces with fewer pixels than this share of the least plane are chance: other planes may have them.
+constexpr double crumb_share = 0.3;
 
 /// Pixels of a solid piece: as many cells as the least plane of the usual options has. A large plane may be
 /// in pieces, as the front of a shelf is.
@@ -61,23 +65,24 @@ void FramePlanes::assign_cells() noexcept {
       .label(cell_labels_);
 }
 
-void FramePlanes::refit(const PinholeCamera& camera) noexcept {
+void FramePlanes::refit(const PinholeCamera& camera, std::uint32_t first_new) noexcept {
   // Step 4.
   const detail::PlaneSurfaces fitting(size_, camera, options_);
-  fitting.sum(cells_, small_cell_labels(), sums_.first(count_));
+  fitting.add_fresh(cells_, small_cell_labels(), sums_.first(count_));
   for (std::uint16_t k = 0; k < count_; ++k) {
     const bool stays = sums_[k].n >= min_pixels_ / 2.0 && fitting.fit(sums_[k], surfaces_[k], squares_[k]);
     becomes_[k] = stays ? k : gone;
   }
-  join(fitting);
+  join(fitting, first_new);
   keep();
 }
 
-void FramePlanes::join(const detail::PlaneSurfaces& fitting) noexcept {
+void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::uint32_t first_new) noexcept {
   detail::Contacts contacts{cells_.size(cells_.finest()), small_cell_labels(), contacts_};
   for (std::uint16_t i = 0; i < count_; ++i) {
     if (becomes_[i] != i) continue;
-    for (std::uint16_t j = i + 1U; j < count_; ++j) {
+    const std::uint32_t first = std::max(i + 1U, first_new);
+    for (std::uint32_t j = first; j < count_; ++j) {
       if (becomes_[j] != j) continue;
       contacts.i = i;
       contacts.j = j;
@@ -92,7 +97,7 @@ void FramePlanes::join(const detail::PlaneSurfaces& fitting) noexcept {
       candidates_[i].score += candidates_[j].score;
       candidates_[i].confidence = std::max(candidates_[i].confidence, candidates_[j].confidence);
       becomes_[j] = i;
-      j = i;  // the joined plane has moved: those that were refused may fit now
+      j = first - 1;  // the joined plane has moved: those that were refused may fit now
     }
   }
 }
@@ -109,13 +114,20 @@ void FramePlanes::keep() noexcept {
       squares_[kept] = squares_[k];
       sums_[kept] = sums_[k];
       label[k + 1] = static_cast<std::uint16_t>(++kept);
-    } else if (becomes_[k] != gone) {
+    } else if (becomes_[k] < count_) {
       label[k + 1] = label[becomes_[k] + 1U];  // joined into an earlier plane
     }
   }
   count_ = kept;
   const auto used = label.first(before + 1U);
-  if (!detail::changes_nothing(used)) detail::rename(small_cell_labels(), used);
+  rename_cells(used);
+}
+
+void FramePlanes::rename_cells(std::span<const std::uint16_t> by) noexcept {
+  if (detail::changes_nothing(by)) return;
+  for (int level = cells_.finest(); level < DepthCells::levels; ++level) {
+    detail::rename(cell_labels_[static_cast<std::size_t>(level)], by);
+  }
 }
 
 void FramePlanes::sort_by_cells() noexcept {
@@ -132,34 +144,49 @@ void FramePlanes::sort_by_cells() noexcept {
   }
   new_label_[0] = 0;
   for (std::uint16_t i = 0; i < count_; ++i) new_label_[before[i] + 1U] = static_cast<std::uint16_t>(i + 1);
-  const auto used = new_label_.first(count_ + 1U);
-  if (!detail::changes_nothing(used)) detail::rename(small_cell_labels(), used);
+  rename_cells(new_label_.first(count_ + 1U));
+}
+
+void FramePlanes::count_solid(bool drop_crumbs) noexcept {
+  const std::span<std::uint16_t> labels = small_cell_labels();
+  const double least = solid_pixels(size_, options_), of_cell = options_.cell * options_.cell;
+  std::fill_n(cells_of_.begin(), count_, 0U);
+  std::fill_n(solid_.begin(), count_, 0U);
+  const detail::CellPieces pieces{cells_.size(cells_.finest()), labels, runs_};
+  pieces.find();
+  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) noexcept {
+    if (drop_crumbs && cells * of_cell < crumb_share * least) {
+      std::fill(labels.begin() + begin, labels.begin() + end, std::uint16_t{0});
+      return;
+    }
+    const auto run = static_cast<std::uint32_t>(end - begin);
+    cells_of_[label - 1U] += run;
+    if (cells * of_cell >= least) solid_[label - 1U] += run;
+  });
 }
 
 void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
   // Step 5.
+  count_solid(last);
   dropped_ = false;
-  const detail::ShapeMemory memory{visited_, list_};
-  std::fill(visited_.begin(), visited_.end(), std::uint16_t{0});
-  const std::span<std::uint16_t> labels = small_cell_labels();
-  detail::count_cells(labels, first_.first(count_), cells_of_.first(count_));
-  bool changed = false;
+  bool round = false;
   for (std::uint16_t k = 0; k < count_; ++k) {
-    std::size_t solid = 0;
-    const auto label = static_cast<std::uint16_t>(k + 1);
     const detail::PlaneShape shape =
-        detail::plane_shape(cells_, {labels, label, first_[k], cells_of_[k]}, surfaces_[k], options_,
-                            solid_pixels(size_, options_), camera, memory, last, solid);
-    becomes_[k] = shape == detail::PlaneShape::flat ? k : gone;
-    if (shape != detail::PlaneShape::flat) dropped_ = true;
-    if (shape != detail::PlaneShape::bent) continue;
-    changed = true;
-    detail::for_cells(list_.first(solid), 1, [&](std::size_t cell) noexcept {
-      if (labels[cell] == label || labels[cell] == 0) clear_cell(static_cast<std::int32_t>(cell));
-    });
+        detail::plane_shape(cells_of_[k], solid_[k], sums_[k], size_, options_, camera);
+    becomes_[k] = shape == detail::PlaneShape::flat ? k : shape == detail::PlaneShape::bent ? gone_with_cells : gone;
+    dropped_ = dropped_ || shape != detail::PlaneShape::flat;
+    round = round || shape == detail::PlaneShape::bent;
   }
+  if (round) clear_round();
   keep();
-  if (changed) cells_.sum_up(*options_.kernels);
+}
+
+void FramePlanes::clear_round() noexcept {
+  const std::span<const std::uint16_t> labels = small_cell_labels();
+  for (std::size_t cell = 0; cell < labels.size(); ++cell) {
+    if (labels[cell] != 0 && becomes_[labels[cell] - 1U] == gone_with_cells) clear_cell(static_cast<std::int32_t>(cell));
+  }
+  cells_.sum_up(*options_.kernels);
 }
 
 void FramePlanes::clear_cell(std::int32_t cell) noexcept {
@@ -167,7 +194,6 @@ void FramePlanes::clear_cell(std::int32_t cell) noexcept {
   const std::int32_t left = cell % width * side, top = cell / width * side;
   cells_.set(cells_.finest(), static_cast<std::size_t>(cell), {});
   cells_.counts()[static_cast<std::size_t>(cell)] = 0;
-  small_cell_labels()[static_cast<std::size_t>(cell)] = 0;
   for (std::int32_t y = top; y < std::min(top + side, size_.height); ++y) {
     std::fill(inverse_depth_.row(y) + left, inverse_depth_.row(y) + std::min(left + side, size_.width), 0.0F);
   }
@@ -203,10 +229,12 @@ Status FramePlanes::search_round(const DepthView& depth, const PlaneSearch& sear
   for (std::uint32_t k = 0; k < added; ++k) {
     found.iterations = std::max(found.iterations, room[k].iterations);
     surfaces_[count_ + k] = {.plane = room[k].fit.plane};
+    sums_[count_ + k] = {};
   }
+  const std::uint32_t before = count_;
   count_ += added;
   assign_cells();
-  refit(depth.camera);
+  refit(depth.camera, before);
   judge(depth.camera, false);
   return Status::ok;
 }
@@ -218,6 +246,7 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   if (depth.raw.size() != size_ || labels.size() != size_) return Status::size_mismatch;
   found = {};
   count_ = 0;
+  for (const std::span<std::uint16_t> level : cell_labels_) std::fill(level.begin(), level.end(), std::uint16_t{0});
   if (const Status read = read_depth(depth); read != Status::ok) return read;
   double readings = 0;
   const int coarsest = DepthCells::levels - 1;
@@ -243,7 +272,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
   // Step 7.
   if (dropped_) {
     assign_cells();
-    refit(depth.camera);
+    refit(depth.camera, count_);
   }
   sort_by_cells();
   judge(depth.camera, true);

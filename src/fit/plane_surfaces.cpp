@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "cell_labels.hpp"
 #include "four_labels.hpp"
 
 namespace straightedge::detail {
@@ -24,7 +25,7 @@ constexpr double contacts_of_mixed = 0.25;
 // picture sags by some three deviations of its noise then.
 constexpr double usual_radius_m = 40;
 
-constexpr std::uint16_t mixed = 0xFFFF;
+constexpr std::uint16_t fresh = CellLabeller::fresh;
 
 /// Cells [x, right) x [y, bottom).
 struct CellBox {
@@ -33,7 +34,7 @@ struct CellBox {
 };
 
 template <class Visit>
-void for_cells(const CellBox& box, Visit&& visit) noexcept {
+void for_cells(const CellBox& box, const Visit& visit) noexcept {
   for (std::int32_t y = box.y; y < box.end.height; ++y) {
     for (std::int32_t x = box.x; x < box.end.width; ++x) visit(x, y);
   }
@@ -45,27 +46,37 @@ CellBox part(std::int32_t x, std::int32_t y, int doublings, Size size) noexcept 
   return {x * side, y * side, {std::min((x + 1) * side, size.width), std::min((y + 1) * side, size.height)}};
 }
 
-struct Squares {
+struct FreshCells {
   Size size;
-  std::span<const std::uint16_t> labels;
+  std::span<std::uint16_t> labels;
+  enum Kind : std::uint8_t { none, same, mixed };
 
-  const std::uint16_t* at(std::int32_t x, std::int32_t y) const noexcept {
+  std::uint16_t* at(std::int32_t x, std::int32_t y) const noexcept {
     return labels.data() + static_cast<std::ptrdiff_t>(y) * size.width + x;
   }
-  /// The label of all cells that a cell `doublings` levels above is made of, or `mixed`.
-  std::uint16_t common(std::int32_t x, std::int32_t y, int doublings) const noexcept {
-    const CellBox box = part(x, y, doublings, size);
+  /// Whether some of the cells are fresh, and then, whether all are and have one label.
+  Kind kind(const CellBox& box) const noexcept {
     const std::uint16_t* row = at(box.x, box.y);
     const std::uint16_t first = *row;
-    std::uint64_t differ = 0;
+    std::uint64_t differ = 0, some = 0;
     for (std::int32_t j = box.y; j < box.end.height; ++j, row += size.width) {
       if (box.end.width - box.x == 4) {
         differ |= four(row) ^ (first * four_ones);
+        some |= four(row);
         continue;
       }
-      for (std::int32_t i = 0; i < box.end.width - box.x; ++i) differ |= row[i] ^ first;
+      for (std::int32_t i = 0; i < box.end.width - box.x; ++i) {
+        differ |= row[i] ^ first;
+        some |= row[i];
+      }
     }
-    return differ == 0 ? first : mixed;
+    return (some & (fresh * four_ones)) == 0 ? none : differ == 0 ? same : mixed;
+  }
+  /// Their label; they are fresh no more.
+  std::uint16_t take(const CellBox& box) const noexcept {
+    const auto label = static_cast<std::uint16_t>(*at(box.x, box.y) & ~fresh);
+    for (std::int32_t y = box.y; y < box.end.height; ++y) std::fill(at(box.x, y), at(box.end.width, y), label);
+    return label;
   }
 };
 
@@ -75,7 +86,7 @@ PlaneSurfaces::PlaneSurfaces(Size picture, const PinholeCamera& camera,
                              const FramePlanesOptions& options) noexcept
     : u0_(picture.width / 2.0),
       v0_(picture.height / 2.0),
-      scale_(std::max(picture.width, picture.height) / 2.0),
+      scale_(scale_of(picture)),
       inverse_scale_(1 / scale_),
       focal_square_(camera.fx * camera.fx),
       options_(options) {}
@@ -85,26 +96,25 @@ void PlaneSurfaces::add(const DepthCell& cell, QuadraticSums& sums) const noexce
            static_cast<double>(cell.q), static_cast<double>(cell.n));
 }
 
-void PlaneSurfaces::sum(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
-                        std::span<QuadraticSums> sums) const noexcept {
-  std::fill(sums.begin(), sums.end(), QuadraticSums{});
+void PlaneSurfaces::add_fresh(const DepthCells& cells, std::span<std::uint16_t> cell_labels,
+                              std::span<QuadraticSums> sums) const noexcept {
   const int finest = cells.finest(), coarsest = std::min(finest + 2, DepthCells::levels - 1);
-  const auto add_cell = [&](int level, std::int32_t x, std::int32_t y, std::uint16_t label) noexcept {
+  const FreshCells all{cells.size(finest), cell_labels};
+  /// False where cells differ.
+  const auto add_cell = [&](int level, std::int32_t x, std::int32_t y) noexcept {
+    const CellBox box = part(x, y, level - finest, all.size);
+    const FreshCells::Kind kind = all.kind(box);
+    if (kind != FreshCells::same) return kind == FreshCells::none;
     const auto width = static_cast<std::size_t>(cells.size(level).width);
-    if (label == 0) return;
-    add(cells.at(level, static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)), sums[label - 1U]);
+    add(cells.at(level, static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)), sums[all.take(box) - 1U]);
+    return true;
   };
-  const Squares squares{cells.size(finest), cell_labels};
   // The cells of a larger one that are all of one plane count as one: there are far fewer of those.
   for_cells({0, 0, cells.size(coarsest)}, [&](std::int32_t X, std::int32_t Y) noexcept {
-    const std::uint16_t label = squares.common(X, Y, coarsest - finest);
-    if (label != mixed) return add_cell(coarsest, X, Y, label);
-    const int twice = coarsest - finest - 1;
-    for_cells(part(X, Y, twice, cells.size(finest + 1)), [&](std::int32_t x, std::int32_t y) noexcept {
-      const std::uint16_t of_four = squares.common(x, y, 1);
-      if (of_four != mixed) return add_cell(finest + 1, x, y, of_four);
-      for_cells(part(x, y, 1, squares.size),
-                [&](std::int32_t i, std::int32_t j) noexcept { add_cell(finest, i, j, *squares.at(i, j)); });
+    if (add_cell(coarsest, X, Y)) return;
+    for_cells(part(X, Y, coarsest - finest - 1, cells.size(finest + 1)), [&](std::int32_t x, std::int32_t y) noexcept {
+      if (add_cell(finest + 1, x, y)) return;
+      for_cells(part(x, y, 1, all.size), [&](std::int32_t i, std::int32_t j) noexcept { (void)add_cell(finest, i, j); });
     });
   });
 }

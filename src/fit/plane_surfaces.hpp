@@ -12,6 +12,11 @@
 
 namespace straightedge::detail {
 
+/// Samples are taken about the picture's middle, in halves of its width.
+constexpr double scale_of(Size picture) noexcept {
+  return (picture.width > picture.height ? picture.width : picture.height) / 2.0;
+}
+
 /// Step 4 of frame_planes.hpp.
 ///
 /// Real sensors picture a wall slightly bent, so that its halves fit two planes better than one. Each plane
@@ -21,9 +26,9 @@ class PlaneSurfaces {
  public:
   PlaneSurfaces(Size picture, const PinholeCamera& camera, const FramePlanesOptions& options) noexcept;
 
-  /// Sums of each plane's own smallest cells.
-  void sum(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
-           std::span<QuadraticSums> sums) const noexcept;
+  /// Adds the smallest cells that are fresh to the sums of their planes; they are fresh no more.
+  void add_fresh(const DepthCells& cells, std::span<std::uint16_t> cell_labels,
+                 std::span<QuadraticSums> sums) const noexcept;
   /// The surface of the sums, and its squared residuals. False when there are too few cells.
   bool fit(const QuadraticSums& sums, BentPlane& surface, double& squares) const noexcept;
   /// Whether two planes, each with its own surface, are one: what it costs, in squared residuals, that both
@@ -35,8 +40,7 @@ class PlaneSurfaces {
  private:
   void add(const DepthCell& cell, QuadraticSums& sums) const noexcept;
 
-  double u0_, v0_, scale_,
-      inverse_scale_;  // samples are taken about the picture's middle, in halves of its width
+  double u0_, v0_, scale_, inverse_scale_;
   double focal_square_;
   const FramePlanesOptions& options_;
 };

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "four_labels.hpp"
+#include "straightedge/image.hpp"
+
+namespace straightedge::detail {
+
+/// The pieces that all planes are in: cells with the same label that touch, side by side or one above the
+/// other. One pass over the cells; runs of a row are joined with those of the row above (union-find).
+struct CellPieces {
+  Size size;
+  std::span<const std::uint16_t> labels;
+  /// An entry for each cell. At the first cell of a run: where another run of its piece begins, or minus the
+  /// piece's cells.
+  std::span<std::int32_t> of_run;
+
+  void find() const noexcept;
+  /// Calls visit(first cell, cell after the last, label, cells of the piece) for every run with a label.
+  template <class Visit>
+  void for_runs(const Visit& visit) const noexcept {
+    for (std::int32_t row = 0; row < cells(); row += size.width) {
+      for (std::int32_t begin = row; begin < row + size.width;) {
+        const std::int32_t end = end_of_run(begin, row + size.width);
+        const std::uint16_t label = label_at(begin);
+        if (label != 0) visit(begin, end, label, -at(root(begin)));
+        begin = end;
+      }
+    }
+  }
+
+ private:
+  std::int32_t cells() const noexcept { return size.width * size.height; }
+  std::uint16_t label_at(std::int32_t cell) const noexcept { return labels[static_cast<std::size_t>(cell)]; }
+  std::int32_t& at(std::int32_t run) const noexcept { return of_run[static_cast<std::size_t>(run)]; }
+  std::int32_t end_of_run(std::int32_t i, std::int32_t end) const noexcept {
+    const std::uint16_t label = label_at(i++);
+    while (i + 4 <= end && four(&labels[static_cast<std::size_t>(i)]) == label * four_ones) i += 4;
+    while (i < end && label_at(i) == label) ++i;
+    return i;
+  }
+  std::int32_t root(std::int32_t run) const noexcept;
+  void join(std::int32_t a, std::int32_t b) const noexcept;
+  void join_rows(std::int32_t row) const noexcept;
+};
+
+}  // namespace straightedge::detail
