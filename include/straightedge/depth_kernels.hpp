@@ -33,6 +33,7 @@ struct DepthCellTask {
   std::uint32_t given = 0;  ///< of these: it takes the one that it asks for
   float least = 0;          ///< readings
   std::int32_t planes = 0;  ///< how many there are
+  std::int32_t first = 0;   ///< of those that are tried when none of the asked fits: from this one on
   std::int32_t asked = 0;   ///< planes that some of them try first
   std::uint16_t plane[most_asked];
   std::uint16_t of[most_asked];  ///< bit i: by cell i

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/lowest_bit.hpp"
 #include "depth_surfaces.hpp"
 #include "four_labels.hpp"
 #include "labels_around.hpp"
@@ -32,19 +33,41 @@ enum class Trust : std::uint8_t { little, much, settles, settled };
 constexpr unsigned trust_shift = 14;
 static_assert((3U << trust_shift) == LabelsAround::mark);
 
+constexpr unsigned open_bit = 13;
+static_assert(1U << open_bit == CellLabeller::open);
+
 constexpr std::uint16_t with_trust(std::uint16_t label, Trust trust) noexcept {
   return static_cast<std::uint16_t>(label | static_cast<unsigned>(trust) << trust_shift);
 }
 constexpr std::uint16_t label_of(std::uint16_t marked) noexcept {
   return static_cast<std::uint16_t>(marked & ~LabelsAround::mark);
 }
-/// Bit i: cell i has a plane.
-std::uint32_t cells_with_plane(const std::uint16_t* labels, std::int32_t count) noexcept {
-  std::uint32_t bits = 0;
-  std::int32_t i = 0;
-  for (; i + 4 <= count; i += 4) bits |= lowest_of(not_zero(four(labels + i)) >> 15U) << i;
-  for (; i < count; ++i) bits |= static_cast<std::uint32_t>(labels[i] != 0) << i;
-  return bits;
+/// Bit i: cell i is open; has no plane, and is not open.
+struct FreeCells {
+  std::uint32_t open = 0, none = 0;
+
+  FreeCells(const std::uint16_t* labels, std::int32_t count) noexcept {
+    std::uint32_t i = 0;
+    for (const auto all = static_cast<std::uint32_t>(count); i < all; i += 4) {
+      std::uint64_t together = four_ones;  // beyond the last: some plane's
+      if (i + 4 <= all) {
+        together = four(labels + i);
+      } else {
+        for (std::uint32_t k = i; k < all; ++k) {
+          const std::uint32_t shift = 16 * (k - i);
+          together = (together & ~(std::uint64_t{0xFFFF} << shift)) | std::uint64_t{labels[k]} << shift;
+        }
+      }
+      open |= lowest_of(together >> open_bit) << i;
+      none |= lowest_of(~not_zero(together) >> 15U) << i;
+    }
+  }
+};
+
+/// Calls visit(i) for each bit i.
+template <class Visit>
+void for_bits(std::uint32_t bits, const Visit& visit) noexcept {
+  for (; bits != 0; bits &= bits - 1) visit(lowest_bit(bits));
 }
 
 /// Each label with how far it is trusted.
@@ -187,38 +210,43 @@ struct Level {
   std::uint16_t* row(std::int32_t x, std::int32_t y) const noexcept {
     return labels_of(level).data() + static_cast<std::ptrdiff_t>(y) * work.cells.size(level).width + x;
   }
-  /// The cells of a group's row that have no plane yet.
-  std::uint32_t free_cells(std::int32_t x, std::int32_t y) const noexcept {
-    const std::int32_t count = std::min(at_once, work.cells.size(level).width - x);
-    return ~cells_with_plane(row(x, y), count) & ((1U << static_cast<std::uint32_t>(count)) - 1U);
+  /// Bit i: cell i of a row is to be labelled. `first`: of the planes that all of them may take.
+  std::uint32_t to_label(std::int32_t x, std::int32_t y, std::int32_t& first) const noexcept {
+    const FreeCells free(row(x, y), std::min(at_once, work.cells.size(level).width - x));
+    const bool some_new = work.first_new < work.planes.size();
+    first = free.open != 0 ? 0 : static_cast<std::int32_t>(work.first_new);
+    return some_new ? free.open | free.none : free.open;
   }
   void write_row(Group& group, std::int32_t x, std::int32_t y) const noexcept {
-    const std::uint32_t free = free_cells(x, y), settled = group.settled & free;
-    std::uint16_t* out = row(x, y);
     DepthCellTask& task = group.task;
+    const std::uint32_t free = to_label(x, y, task.first);
+    if (free == 0) return;
+    std::uint16_t* out = row(x, y);
     task.at = work.cells.rows(level, static_cast<std::size_t>(out - labels_of(level).data()));
     const std::uint32_t fresh = is_finest() ? CellLabeller::fresh : 0U;
-    for (std::uint32_t i = 0; settled >> i != 0; ++i) {
-      if ((settled >> i & 1U) != 0 && task.at.first[i] >= task.least)
-        out[i] = static_cast<std::uint16_t>(group.label[i] | fresh);
-    }
+    for_bits(group.settled & free, [&](std::uint32_t i) noexcept {
+      out[i] = task.at.first[i] >= task.least ? static_cast<std::uint16_t>(group.label[i] | fresh) : std::uint16_t{0};
+    });
     task.open = group.open & free;
     if (task.open == 0) return;
     DepthCellPlanes found;
     work.kernels.choose_planes(task, surfaces, found);
     if (is_finest()) {
-      for (std::uint16_t& label : found.label) label = label != 0 ? static_cast<std::uint16_t>(label | fresh) : label;
+      for (std::uint16_t& label : found.label) label = static_cast<std::uint16_t>(label == 0 ? 0 : label | fresh);
     } else {
       mark(found);
     }
-    for (std::uint32_t i = 0; task.open >> i != 0; ++i) {
-      if ((task.open >> i & 1U) != 0) out[i] = found.label[i];
+    if (task.open == 0xFFFF) {
+      std::copy(found.label, found.label + at_once, out);
+    } else {
+      for_bits(task.open, [&](std::uint32_t i) noexcept { out[i] = found.label[i]; });
     }
   }
   void label_below(std::int32_t X, std::int32_t Y) const noexcept {
     const std::int32_t bottom = std::min(2 * Y + 2, work.cells.size(level).height);
     std::uint32_t free = 0;
-    for (std::int32_t y = 2 * Y; y < bottom; ++y) free |= free_cells(2 * X, y);
+    std::int32_t first = 0;
+    for (std::int32_t y = 2 * Y; y < bottom; ++y) free |= to_label(2 * X, y, first);
     if (free == 0) return;
     Group group;
     begin(group.task);

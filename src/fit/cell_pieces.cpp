@@ -4,6 +4,9 @@
 
 #include <utility>
 
+#include "base/lowest_bit.hpp"
+#include "four_labels.hpp"
+
 namespace straightedge::detail {
 
 std::int32_t CellPieces::root(std::int32_t run) const noexcept {
@@ -25,34 +28,43 @@ void CellPieces::join(std::int32_t a, std::int32_t b) const noexcept {
   at(b) = a;
 }
 
+void CellPieces::find_runs(std::int32_t row) const noexcept {
+  const std::int32_t last = row + size.width - 1;
+  std::int32_t begin = row;
+  const auto end_at = [&](std::int32_t end) noexcept {
+    length[static_cast<std::size_t>(begin)] = static_cast<std::uint16_t>(end - begin);
+    at(begin) = begin - end;
+    begin = end;
+  };
+  std::int32_t i = row;
+  for (; i + 4 <= last; i += 4) {
+    const std::uint16_t* here = labels.data() + i;
+    std::uint32_t ends = lowest_of(not_zero(four(here) ^ four(here + 1)) >> 15U);
+    for (; ends != 0; ends &= ends - 1) end_at(i + static_cast<std::int32_t>(lowest_bit(ends)) + 1);
+  }
+  for (; i < last; ++i) {
+    if (label_at(i) != label_at(i + 1)) end_at(i + 1);
+  }
+  end_at(last + 1);
+}
+
 /// The runs of a row with those above.
 void CellPieces::join_rows(std::int32_t row) const noexcept {
   const std::int32_t width = size.width;
-  std::int32_t above = row - width, above_end = end_of_run(above, row);
-  for (std::int32_t here = row; here < row + width;) {
-    const std::int32_t end = end_of_run(here, row + width);
-    if (label_at(here) != 0) at(here) = here - end;
-    for (;;) {
-      if (label_at(here) != 0 && label_at(above) == label_at(here)) join(above, here);
-      if (above_end >= end - width) break;
-      above = above_end;
-      above_end = end_of_run(above, row);
-    }
-    if (above_end == end - width && above_end < row) {
-      above = above_end;
-      above_end = end_of_run(above, row);
-    }
-    here = end;
+  for (std::int32_t above = row - width, here = row; here < row + width;) {
+    const std::uint16_t label = label_at(here);
+    if (label != 0 && label == label_at(above)) join(above, here);
+    const std::int32_t above_end = end_of(above) + width, end = end_of(here);
+    if (above_end <= end) above = above_end - width;
+    if (end <= above_end) here = end;
   }
 }
 
 void CellPieces::find() const noexcept {
-  for (std::int32_t begin = 0; begin < size.width;) {
-    const std::int32_t end = end_of_run(begin, size.width);
-    at(begin) = begin - end;
-    begin = end;
+  for (std::int32_t row = 0; row < size.width * size.height; row += size.width) {
+    find_runs(row);
+    if (row > 0) join_rows(row);
   }
-  for (std::int32_t row = size.width; row < cells(); row += size.width) join_rows(row);
 }
 
 }  // namespace straightedge::detail

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <span>
 
-#include "four_labels.hpp"
 #include "straightedge/image.hpp"
 
 namespace straightedge::detail {
@@ -16,7 +15,8 @@ namespace straightedge::detail {
 struct CellPieces {
   Size size;
   std::span<const std::uint16_t> labels;
-  /// An entry for each cell. At the first cell of a run: where another run of its piece begins, or minus the
+  std::span<std::uint16_t> length;  ///< an entry for each cell: at the first one of a run its cells
+  /// An entry for each cell. At the first one of a run: where another run of its piece begins, or minus the
   /// piece's cells.
   std::span<std::int32_t> of_run;
 
@@ -24,28 +24,20 @@ struct CellPieces {
   /// Calls visit(first cell, cell after the last, label, cells of the piece) for every run with a label.
   template <class Visit>
   void for_runs(const Visit& visit) const noexcept {
-    for (std::int32_t row = 0; row < cells(); row += size.width) {
-      for (std::int32_t begin = row; begin < row + size.width;) {
-        const std::int32_t end = end_of_run(begin, row + size.width);
-        const std::uint16_t label = label_at(begin);
-        if (label != 0) visit(begin, end, label, -at(root(begin)));
-        begin = end;
-      }
+    for (std::int32_t begin = 0, end = 0; begin < size.width * size.height; begin = end) {
+      end = end_of(begin);
+      const std::uint16_t label = label_at(begin);
+      if (label != 0) visit(begin, end, label, -at(root(begin)));
     }
   }
 
  private:
-  std::int32_t cells() const noexcept { return size.width * size.height; }
   std::uint16_t label_at(std::int32_t cell) const noexcept { return labels[static_cast<std::size_t>(cell)]; }
   std::int32_t& at(std::int32_t run) const noexcept { return of_run[static_cast<std::size_t>(run)]; }
-  std::int32_t end_of_run(std::int32_t i, std::int32_t end) const noexcept {
-    const std::uint16_t label = label_at(i++);
-    while (i + 4 <= end && four(&labels[static_cast<std::size_t>(i)]) == label * four_ones) i += 4;
-    while (i < end && label_at(i) == label) ++i;
-    return i;
-  }
+  std::int32_t end_of(std::int32_t run) const noexcept { return run + length[static_cast<std::size_t>(run)]; }
   std::int32_t root(std::int32_t run) const noexcept;
   void join(std::int32_t a, std::int32_t b) const noexcept;
+  void find_runs(std::int32_t row) const noexcept;
   void join_rows(std::int32_t row) const noexcept;
 };
 

@@ -6,6 +6,8 @@
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
+constexpr float in_a_row = 1.0F / 64;
+
 struct CellLanes {
   Lanes n, u, v, q, uu, uv, vv, uq, vq, qq;
 
@@ -35,6 +37,13 @@ struct CellLanes {
     const Lanes square = a * (a * uu + (b + b) * uv) + (b * b) * vv;
     const Lanes sum = n * (r * r) + ((qq - (mixed + mixed)) + square);
     return sum < none ? none : sum;
+  }
+  /// Those that some plane may come nearer than a limit: the squared residuals of its own best one are below.
+  Marks is_flat(const Lanes& limit) const noexcept {
+    const Lanes product = uu * vv, determinant = product - uv * uv;
+    const Lanes explained = uq * (uq * vv - vq * uv) + vq * (vq * uu - uq * uv);
+    // Readings nearly in a row tell nothing.
+    return (determinant <= product * in_a_row) | ((qq - limit) * determinant <= explained);
   }
 };
 
@@ -89,17 +98,18 @@ void choose_some(const DepthCellTask& task, const DepthSurfaces& s, std::int32_t
     best.offer(cell.squares(s, task.plane[i]), marks_of(task.of[i], first), task.plane[i]);
   }
   const Marks pure = (best.squares < task.pure_of_asked * unit) | marks_of(task.given, first);
-  const Marks left = open & (pure == Marks{});
+  const Marks left = open & (pure == Marks{}) & cell.is_flat(task.pure * unit);
   if (any(left)) {
     // The squares are at least those of the means: a plane far from these cannot become a cell's.
     const Lanes limit = task.pure * variance;
-    for (std::int32_t k = 0; k < task.planes; ++k) {
+    for (std::int32_t k = task.first; k < task.planes; ++k) {
       if (is_far(cell.off(s, k), limit)) continue;
       best.offer(cell.squares(s, k), left, k);
     }
-    const auto fits = (best.squares < task.pure * unit) | (left == Marks{});
-    best.label = fits ? best.label : none;
   }
+  // What is no reading's plane of those asked has to fit as well as any.
+  const auto fits = pure | (best.squares < task.pure * unit);
+  best.label = fits ? best.label : none;
   best.label = open ? best.label : none;
   const Lanes mean = best.squares / (unit > none ? unit : one);
   float labels[lanes];

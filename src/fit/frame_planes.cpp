@@ -59,9 +59,9 @@ Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
   return Status::ok;
 }
 
-void FramePlanes::assign_cells() noexcept {
+void FramePlanes::assign_cells(std::uint32_t first_new) noexcept {
   // Step 3.
-  detail::CellLabeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels, float_surfaces_}
+  detail::CellLabeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels, float_surfaces_, first_new}
       .label(cell_labels_);
 }
 
@@ -74,7 +74,7 @@ void FramePlanes::refit(const PinholeCamera& camera, std::uint32_t first_new) no
     becomes_[k] = stays ? k : gone;
   }
   join(fitting, first_new);
-  keep();
+  keep(0);
 }
 
 void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::uint32_t first_new) noexcept {
@@ -102,9 +102,9 @@ void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::uint32_t first
   }
 }
 
-void FramePlanes::keep() noexcept {
+void FramePlanes::keep(std::uint16_t of_gone) noexcept {
   const std::span<std::uint16_t> label = new_label_;
-  std::fill(label.begin(), label.end(), std::uint16_t{0});
+  label[0] = 0;
   const std::uint32_t before = count_;
   std::uint32_t kept = 0;
   for (std::uint32_t k = 0; k < count_; ++k) {
@@ -116,6 +116,8 @@ void FramePlanes::keep() noexcept {
       label[k + 1] = static_cast<std::uint16_t>(++kept);
     } else if (becomes_[k] < count_) {
       label[k + 1] = label[becomes_[k] + 1U];  // joined into an earlier plane
+    } else {
+      label[k + 1] = becomes_[k] == gone ? of_gone : std::uint16_t{0};
     }
   }
   count_ = kept;
@@ -152,7 +154,7 @@ void FramePlanes::count_solid(bool drop_crumbs) noexcept {
   const double least = solid_pixels(size_, options_), of_cell = options_.cell * options_.cell;
   std::fill_n(cells_of_.begin(), count_, 0U);
   std::fill_n(solid_.begin(), count_, 0U);
-  const detail::CellPieces pieces{cells_.size(cells_.finest()), labels, runs_};
+  const detail::CellPieces pieces{cells_.size(cells_.finest()), labels, visited_, runs_};
   pieces.find();
   pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) noexcept {
     if (drop_crumbs && cells * of_cell < crumb_share * least) {
@@ -178,7 +180,7 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
     round = round || shape == detail::PlaneShape::bent;
   }
   if (round) clear_round();
-  keep();
+  keep(last ? std::uint16_t{0} : detail::CellLabeller::open);
 }
 
 void FramePlanes::clear_round() noexcept {
@@ -233,7 +235,7 @@ Status FramePlanes::search_round(const DepthView& depth, const PlaneSearch& sear
   }
   const std::uint32_t before = count_;
   count_ += added;
-  assign_cells();
+  assign_cells(before);
   refit(depth.camera, before);
   judge(depth.camera, false);
   return Status::ok;
@@ -246,7 +248,7 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   if (depth.raw.size() != size_ || labels.size() != size_) return Status::size_mismatch;
   found = {};
   count_ = 0;
-  for (const std::span<std::uint16_t> level : cell_labels_) std::fill(level.begin(), level.end(), std::uint16_t{0});
+  for (const std::span<std::uint16_t> level : cell_labels_) std::fill(level.begin(), level.end(), detail::CellLabeller::open);
   if (const Status read = read_depth(depth); read != Status::ok) return read;
   double readings = 0;
   const int coarsest = DepthCells::levels - 1;
@@ -271,7 +273,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
                            std::span<FoundPlane> planes, PlanesFound& found) noexcept {
   // Step 7.
   if (dropped_) {
-    assign_cells();
+    assign_cells(count_);
     refit(depth.camera, count_);
   }
   sort_by_cells();
