@@ -97,6 +97,7 @@ class FramePlanes {
     candidates_ = arena.take<ProposedPlane>(options.max_planes);
     surfaces_ = arena.take<detail::BentPlane>(options.max_planes);
     squares_ = arena.take<double>(options.max_planes);
+    loose_ = arena.take<detail::QuadraticSums>(options.max_planes);
     sums_ = arena.take<detail::QuadraticSums>(options.max_planes);
     float_surfaces_ = detail::take_surfaces(arena, options.max_planes);
     contacts_ = arena.take<std::uint32_t>(std::size_t{options.max_planes} * (options.max_planes - 1U) / 2);
@@ -118,7 +119,7 @@ class FramePlanes {
   void keep(std::uint16_t of_gone) noexcept;
   void rename_cells(std::span<const std::uint16_t> by) noexcept;
   void sort_by_cells() noexcept;
-  void count_solid(bool drop_crumbs) noexcept;
+  void count_solid(const PinholeCamera& camera, bool drop_crumbs) noexcept;
   void clear_round() noexcept;
   void judge(const PinholeCamera& camera, bool last) noexcept;
   void clear_cell(std::int32_t cell) noexcept;
@@ -138,7 +139,7 @@ class FramePlanes {
   std::span<detail::BentPlane> surfaces_;
   std::span<double> squares_;  // residuals of each plane's cells from its surface
   DepthSurfaces float_surfaces_;
-  std::span<detail::QuadraticSums> sums_;
+  std::span<detail::QuadraticSums> sums_, loose_;  // of each plane's cells; of those not in solid pieces
   std::span<std::uint32_t> contacts_;          // touching cells of each pair of planes
   std::span<std::uint32_t> solid_, cells_of_;  // of each plane's cells those in solid pieces, and all
   std::span<InverseDepthMoments> moments_;

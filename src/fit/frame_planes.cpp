@@ -149,32 +149,40 @@ void FramePlanes::sort_by_cells() noexcept {
   rename_cells(new_label_.first(count_ + 1U));
 }
 
-void FramePlanes::count_solid(bool drop_crumbs) noexcept {
+void FramePlanes::count_solid(const PinholeCamera& camera, bool drop_crumbs) noexcept {
+  const detail::PlaneSurfaces fitting(size_, camera, options_);
   const std::span<std::uint16_t> labels = small_cell_labels();
   const double least = solid_pixels(size_, options_), of_cell = options_.cell * options_.cell;
   std::fill_n(cells_of_.begin(), count_, 0U);
   std::fill_n(solid_.begin(), count_, 0U);
+  std::fill_n(loose_.begin(), count_, detail::QuadraticSums{});
   const detail::CellPieces pieces{cells_.size(cells_.finest()), labels, visited_, runs_};
   pieces.find();
   pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) noexcept {
+    const bool is_solid = cells * of_cell >= least;
+    for (std::int32_t cell = begin; !is_solid && cell < end; ++cell) {
+      fitting.add(cells_.at(cells_.finest(), static_cast<std::size_t>(cell)), loose_[label - 1U]);
+    }
     if (drop_crumbs && cells * of_cell < crumb_share * least) {
       std::fill(labels.begin() + begin, labels.begin() + end, std::uint16_t{0});
       return;
     }
     const auto run = static_cast<std::uint32_t>(end - begin);
     cells_of_[label - 1U] += run;
-    if (cells * of_cell >= least) solid_[label - 1U] += run;
+    if (is_solid) solid_[label - 1U] += run;
   });
 }
 
 void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
   // Step 5.
-  count_solid(last);
+  count_solid(camera, last);
   dropped_ = false;
   bool round = false;
   for (std::uint16_t k = 0; k < count_; ++k) {
+    detail::QuadraticSums solid = sums_[k];
+    solid.take_off(loose_[k]);
     const detail::PlaneShape shape =
-        detail::plane_shape(cells_of_[k], solid_[k], sums_[k], size_, options_, camera);
+        detail::plane_shape(cells_of_[k], solid_[k], solid, size_, options_, camera);
     becomes_[k] = shape == detail::PlaneShape::flat ? k : shape == detail::PlaneShape::bent ? gone_with_cells : gone;
     dropped_ = dropped_ || shape != detail::PlaneShape::flat;
     round = round || shape == detail::PlaneShape::bent;

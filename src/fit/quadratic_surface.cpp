@@ -13,18 +13,25 @@ constexpr std::size_t place(std::size_t row, std::size_t column) noexcept {
   return row * (row + 1) / 2 + column;
 }
 
-/// Lower triangle of the decomposition, in place. False for a matrix that is not positive definite.
-bool decompose(std::array<double, terms*(terms + 1) / 2>& m) noexcept {
+using Triangle = std::array<double, terms*(terms + 1) / 2>;
+
+// Which of the moments each product of two terms is: the lower triangle, row by row.
+constexpr std::array<std::size_t, terms*(terms + 1) / 2> moment_of{
+    0, 1, 3, 2, 4, 5, 3, 6, 7, 10, 4, 7, 8, 11, 12, 5, 8, 9, 12, 13, 14};
+
+/// Lower triangle of the decomposition, in place; of the diagonal the reciprocals. False for a matrix that is
+/// not positive definite.
+bool decompose(Triangle& m) noexcept {
   for (std::size_t i = 0; i < terms; ++i) {
     const double before = m[place(i, i)];
     for (std::size_t j = 0; j <= i; ++j) {
       double sum = m[place(i, j)];
       for (std::size_t k = 0; k < j; ++k) sum -= m[place(i, k)] * m[place(j, k)];
       if (i != j) {
-        m[place(i, j)] = sum / m[place(j, j)];
+        m[place(i, j)] = sum * m[place(j, j)];
       } else {
         if (!(sum > 1e-12 * before)) return false;  // what is left is rounding
-        m[place(i, i)] = square_root(sum);
+        m[place(i, i)] = 1 / square_root(sum);
       }
     }
   }
@@ -37,26 +44,32 @@ void QuadraticSums::add(double x, double y, double q, double weight) noexcept {
   const double xx = x * x, xy = x * y, yy = y * y;
   const double wx = weight * x, wy = weight * y, wxx = weight * xx, wxy = weight * xy, wyy = weight * yy;
   const double wq = weight * q;
-  // The lower triangle of the products of 1, x, y, xx, xy, yy.
-  const std::array<double, terms*(terms + 1) / 2> products{
-      weight,  wx,      wxx,      wy,       wxy, wyy,     wxx,     wxx * x,  wxx * y,  wxx * xx, wxy,
-      wxy * x, wxy * y, wxy * xx, wxy * xy, wyy, wyy * x, wyy * y, wyy * xx, wyy * xy, wyy * yy};
+  const std::array<double, products> of{weight,  wx,      wy,       wxx,      wxy,      wyy,      wxx * x, wxx * y,
+                                        wyy * x, wyy * y, wxx * xx, wxx * xy, wxx * yy, wyy * xy, wyy * yy};
   const std::array<double, terms> with_q{wq, wq * x, wq * y, wq * xx, wq * xy, wq * yy};
-  for (std::size_t i = 0; i < products.size(); ++i) normal[i] += products[i];
+  for (std::size_t i = 0; i < products; ++i) moments[i] += of[i];
   for (std::size_t i = 0; i < terms; ++i) right[i] += with_q[i];
   qq += wq * q;
   n += weight;
 }
 
 void QuadraticSums::add(const QuadraticSums& other) noexcept {
-  for (std::size_t i = 0; i < normal.size(); ++i) normal[i] += other.normal[i];
+  for (std::size_t i = 0; i < products; ++i) moments[i] += other.moments[i];
   for (std::size_t i = 0; i < terms; ++i) right[i] += other.right[i];
   qq += other.qq;
   n += other.n;
 }
 
+void QuadraticSums::take_off(const QuadraticSums& other) noexcept {
+  for (std::size_t i = 0; i < products; ++i) moments[i] -= other.moments[i];
+  for (std::size_t i = 0; i < terms; ++i) right[i] -= other.right[i];
+  qq -= other.qq;
+  n -= other.n;
+}
+
 bool fit_quadratic(const QuadraticSums& sums, double ridge, QuadraticFit& fit) noexcept {
-  auto lower = sums.normal;
+  Triangle lower;
+  for (std::size_t i = 0; i < lower.size(); ++i) lower[i] = sums.moments[moment_of[i]];
   for (std::size_t i = 3; i < terms; ++i) lower[place(i, i)] += ridge;
   if (!(sums.n > 0) || !decompose(lower)) return false;
   std::array<double, terms> solved{};
@@ -65,14 +78,14 @@ bool fit_quadratic(const QuadraticSums& sums, double ridge, QuadraticFit& fit) n
   for (std::size_t i = 0; i < terms; ++i) {
     double sum = sums.right[i];
     for (std::size_t k = 0; k < i; ++k) sum -= lower[place(i, k)] * solved[k];
-    solved[i] = sum / lower[place(i, i)];
+    solved[i] = sum * lower[place(i, i)];
     explained += solved[i] * solved[i];
     if (i >= 3) fit.bend_squares += solved[i] * solved[i];
   }
   for (std::size_t i = terms; i-- > 0;) {
     double sum = solved[i];
     for (std::size_t k = i + 1; k < terms; ++k) sum -= lower[place(k, i)] * fit.coefficients[k];
-    fit.coefficients[i] = sum / lower[place(i, i)];
+    fit.coefficients[i] = sum * lower[place(i, i)];
   }
   fit.squares = sums.qq > explained ? sums.qq - explained : 0;
   return true;

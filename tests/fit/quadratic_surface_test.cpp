@@ -91,7 +91,7 @@ TEST_CASE("sums of two sets add up to those of both") {
   added.add(sums_of(second));
   first.insert(first.end(), second.begin(), second.end());
   const QuadraticSums whole = sums_of(first);
-  for (std::size_t i = 0; i < whole.normal.size(); ++i) CHECK(added.normal[i] == Approx(whole.normal[i]));
+  for (std::size_t i = 0; i < whole.moments.size(); ++i) CHECK(added.moments[i] == Approx(whole.moments[i]));
   for (std::size_t i = 0; i < whole.right.size(); ++i) CHECK(added.right[i] == Approx(whole.right[i]));
   CHECK(added.qq == Approx(whole.qq));
   CHECK(added.n == Approx(whole.n));

@@ -12,14 +12,17 @@ namespace straightedge::detail {
 /// Weighted sums for the least squares of q = c0 + c1 x + c2 y + c3 xx + c4 xy + c5 yy. Sums of two sets of
 /// samples add up to those of both.
 struct QuadraticSums {
-  static constexpr std::size_t terms = 6;
-  std::array<double, terms*(terms + 1) / 2> normal{};  ///< lower triangle, row by row
+  static constexpr std::size_t terms = 6, products = 15;
+  /// Of 1, x, y, xx, xy, yy, xxx, xxy, xyy, yyy, xxxx, xxxy, xxyy, xyyy, yyyy: all products of two terms.
+  std::array<double, products> moments{};
   std::array<double, terms> right{};
   double qq = 0;
   double n = 0;
 
   void add(double x, double y, double q, double weight) noexcept;
   void add(const QuadraticSums& other) noexcept;
+  /// What was added before.
+  void take_off(const QuadraticSums& other) noexcept;
 };
 
 struct QuadraticFit {
