@@ -150,7 +150,6 @@ void FramePlanes::sort_by_cells() noexcept {
 }
 
 void FramePlanes::count_solid(const PinholeCamera& camera, bool drop_crumbs) noexcept {
-  const detail::PlaneSurfaces fitting(size_, camera, options_);
   const std::span<std::uint16_t> labels = small_cell_labels();
   const double least = solid_pixels(size_, options_), of_cell = options_.cell * options_.cell;
   std::fill_n(cells_of_.begin(), count_, 0U);
@@ -158,18 +157,23 @@ void FramePlanes::count_solid(const PinholeCamera& camera, bool drop_crumbs) noe
   std::fill_n(loose_.begin(), count_, detail::QuadraticSums{});
   const detail::CellPieces pieces{cells_.size(cells_.finest()), labels, visited_, runs_};
   pieces.find();
+  const auto is_crumb = [&](std::int32_t cells) noexcept {
+    return drop_crumbs && cells * of_cell < crumb_share * least;
+  };
   pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) noexcept {
-    const bool is_solid = cells * of_cell >= least;
-    for (std::int32_t cell = begin; !is_solid && cell < end; ++cell) {
-      fitting.add(cells_.at(cells_.finest(), static_cast<std::size_t>(cell)), loose_[label - 1U]);
-    }
-    if (drop_crumbs && cells * of_cell < crumb_share * least) {
-      std::fill(labels.begin() + begin, labels.begin() + end, std::uint16_t{0});
-      return;
-    }
     const auto run = static_cast<std::uint32_t>(end - begin);
-    cells_of_[label - 1U] += run;
-    if (is_solid) solid_[label - 1U] += run;
+    if (!is_crumb(cells)) cells_of_[label - 1U] += run;
+    if (cells * of_cell >= least) {
+      solid_[label - 1U] += run;
+    } else {
+      const auto again = static_cast<std::uint16_t>(label | detail::CellLabeller::fresh);
+      std::fill(labels.begin() + begin, labels.begin() + end, again);
+    }
+  });
+  detail::PlaneSurfaces(size_, camera, options_).add_fresh(cells_, labels, loose_);
+  if (!drop_crumbs) return;
+  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t, std::int32_t cells) noexcept {
+    if (is_crumb(cells)) std::fill(labels.begin() + begin, labels.begin() + end, std::uint16_t{0});
   });
 }
 

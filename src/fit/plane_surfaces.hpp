@@ -29,7 +29,6 @@ class PlaneSurfaces {
   /// Adds the smallest cells that are fresh to the sums of their planes; they are fresh no more.
   void add_fresh(const DepthCells& cells, std::span<std::uint16_t> cell_labels,
                  std::span<QuadraticSums> sums) const noexcept;
-  void add(const DepthCell& cell, QuadraticSums& sums) const noexcept;
   /// The surface of the sums, and its squared residuals. False when there are too few cells.
   bool fit(const QuadraticSums& sums, BentPlane& surface, double& squares) const noexcept;
   /// Whether two planes, each with its own surface, are one: what it costs, in squared residuals, that both
@@ -39,6 +38,8 @@ class PlaneSurfaces {
                BentPlane& surface, double& squares) const noexcept;
 
  private:
+  void add(const DepthCell& cell, QuadraticSums& sums) const noexcept;
+
   double u0_, v0_, scale_, inverse_scale_;
   double focal_square_;
   const FramePlanesOptions& options_;
