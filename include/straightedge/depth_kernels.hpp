@@ -32,8 +32,7 @@ struct DepthCellTask {
   std::uint32_t open = 0;   ///< bit i: cell i may take a plane, if it has readings enough
   std::uint32_t given = 0;  ///< of these: it takes the one that it asks for
   float least = 0;          ///< readings
-  std::int32_t planes = 0;  ///< how many there are
-  std::int32_t first = 0;   ///< of those that are tried when none of the asked fits: from this one on
+  std::int32_t planes = 0;  ///< that are tried where none of those asked fits; 0: the cell stays undecided
   std::int32_t asked = 0;   ///< planes that some of them try first
   std::uint16_t plane[most_asked];
   std::uint16_t of[most_asked];  ///< bit i: by cell i
@@ -71,6 +70,7 @@ struct DepthSurfaces {
 };
 
 struct DepthCellPlanes {
+  static constexpr std::uint16_t undecided = 0xFFFF;
   std::uint16_t label[DepthCellTask::cells];  ///< 1 + the plane, 0: none
   float mean[DepthCellTask::cells];           ///< squared residual from it, in squares of the deviation
 };

@@ -110,13 +110,13 @@ class FramePlanes {
   Status search_round(const DepthView& depth, const PlaneSearch& search,
                       ImageView<const std::uint16_t> labels, PlanesFound& found) noexcept;
   Status read_depth(const DepthView& depth) noexcept;
-  void assign_cells(std::uint32_t first_new) noexcept;
+  void assign_cells() noexcept;
   std::span<std::uint16_t> small_cell_labels() const noexcept {
     return cell_labels_[static_cast<std::size_t>(cells_.finest())];
   }
   void refit(const PinholeCamera& camera, std::uint32_t first_new) noexcept;
   void join(const detail::PlaneSurfaces& fitting, std::uint32_t first_new) noexcept;
-  void keep(std::uint16_t of_gone) noexcept;
+  void keep() noexcept;
   void rename_cells(std::span<const std::uint16_t> by) noexcept;
   void sort_by_cells() noexcept;
   void count_solid(const PinholeCamera& camera, bool drop_crumbs) noexcept;

@@ -33,36 +33,20 @@ enum class Trust : std::uint8_t { little, much, settles, settled };
 constexpr unsigned trust_shift = 14;
 static_assert((3U << trust_shift) == LabelsAround::mark);
 
-constexpr unsigned open_bit = 13;
-static_assert(1U << open_bit == CellLabeller::open);
-
 constexpr std::uint16_t with_trust(std::uint16_t label, Trust trust) noexcept {
   return static_cast<std::uint16_t>(label | static_cast<unsigned>(trust) << trust_shift);
 }
 constexpr std::uint16_t label_of(std::uint16_t marked) noexcept {
   return static_cast<std::uint16_t>(marked & ~LabelsAround::mark);
 }
-/// Bit i: cell i is open; has no plane, and is not open.
-struct FreeCells {
-  std::uint32_t open = 0, none = 0;
-
-  FreeCells(const std::uint16_t* labels, std::int32_t count) noexcept {
-    std::uint32_t i = 0;
-    for (const auto all = static_cast<std::uint32_t>(count); i < all; i += 4) {
-      std::uint64_t together = four_ones;  // beyond the last: some plane's
-      if (i + 4 <= all) {
-        together = four(labels + i);
-      } else {
-        for (std::uint32_t k = i; k < all; ++k) {
-          const std::uint32_t shift = 16 * (k - i);
-          together = (together & ~(std::uint64_t{0xFFFF} << shift)) | std::uint64_t{labels[k]} << shift;
-        }
-      }
-      open |= lowest_of(together >> open_bit) << i;
-      none |= lowest_of(~not_zero(together) >> 15U) << i;
-    }
-  }
-};
+/// Bit i: cell i has no plane.
+std::uint32_t free_cells(const std::uint16_t* labels, std::int32_t count) noexcept {
+  std::uint32_t free = 0;
+  std::int32_t i = 0;
+  for (; i + 4 <= count; i += 4) free |= lowest_of(~not_zero(four(labels + i)) >> 15U) << i;
+  for (; i < count; ++i) free |= static_cast<std::uint32_t>(labels[i] == 0) << i;
+  return free;
+}
 
 /// Calls visit(i) for each bit i.
 template <class Visit>
@@ -118,12 +102,28 @@ struct Group {
   std::array<std::uint16_t, at_once> label;
 };
 
+/// Cells that no plane around fits, from all over a level: all planes are tried on sixteen at once.
+struct Undecided {
+  std::array<float, std::size_t{DepthCellRows::kinds} * at_once> numbers{};
+  std::array<std::uint16_t*, at_once> label{};
+  std::size_t count = 0;
+
+  void add(const DepthCellRows& cell, std::uint16_t* its_label) noexcept {
+    for (std::size_t kind = 0; kind < DepthCellRows::kinds; ++kind) {
+      numbers[kind * at_once + count] = cell.first[static_cast<std::ptrdiff_t>(kind) * cell.apart];
+    }
+    label[count++] = its_label;
+  }
+  bool is_full() const noexcept { return count == at_once; }
+};
+
 /// The labels of one level.
 struct Level {
   const CellLabeller& work;
   const DepthSurfaces& surfaces;  ///< of the planes
   const CellLabels& labels;
   int level;
+  Undecided& undecided;
 
   std::span<std::uint16_t> labels_of(int which) const noexcept {
     return labels[static_cast<std::size_t>(which)];
@@ -137,7 +137,6 @@ struct Level {
     task.noise = fixed ? 0.0F : static_cast<float>(gate.inverse_sigma);
     task.noise_of_square = static_cast<float>(fixed ? gate.fixed_m / gate.sigmas : gate.floor_m);
     task.least = static_cast<float>(least_share * side * side);
-    task.planes = static_cast<std::int32_t>(work.planes.size());
     task.pure_of_asked = pure_of_neighbour[static_cast<std::size_t>(level)];
     task.pure = pure;
   }
@@ -210,43 +209,59 @@ struct Level {
   std::uint16_t* row(std::int32_t x, std::int32_t y) const noexcept {
     return labels_of(level).data() + static_cast<std::ptrdiff_t>(y) * work.cells.size(level).width + x;
   }
-  /// Bit i: cell i of a row is to be labelled. `first`: of the planes that all of them may take.
-  std::uint32_t to_label(std::int32_t x, std::int32_t y, std::int32_t& first) const noexcept {
-    const FreeCells free(row(x, y), std::min(at_once, work.cells.size(level).width - x));
-    const bool some_new = work.first_new < work.planes.size();
-    first = free.open != 0 ? 0 : static_cast<std::int32_t>(work.first_new);
-    return some_new ? free.open | free.none : free.open;
+  std::uint32_t free_in_row(std::int32_t x, std::int32_t y) const noexcept {
+    return free_cells(row(x, y), std::min(at_once, work.cells.size(level).width - x));
   }
-  void write_row(Group& group, std::int32_t x, std::int32_t y) const noexcept {
-    DepthCellTask& task = group.task;
-    const std::uint32_t free = to_label(x, y, task.first);
-    if (free == 0) return;
-    std::uint16_t* out = row(x, y);
-    task.at = work.cells.rows(level, static_cast<std::size_t>(out - labels_of(level).data()));
-    const std::uint32_t fresh = is_finest() ? CellLabeller::fresh : 0U;
-    for_bits(group.settled & free, [&](std::uint32_t i) noexcept {
-      out[i] = task.at.first[i] >= task.least ? static_cast<std::uint16_t>(group.label[i] | fresh) : std::uint16_t{0};
-    });
-    task.open = group.open & free;
-    if (task.open == 0) return;
+  /// Labels, each with what is known of it.
+  DepthCellPlanes choose(const DepthCellTask& task) const noexcept {
     DepthCellPlanes found;
     work.kernels.choose_planes(task, surfaces, found);
     if (is_finest()) {
-      for (std::uint16_t& label : found.label) label = static_cast<std::uint16_t>(label == 0 ? 0 : label | fresh);
+      for (std::uint16_t& label : found.label) label = label == 0 ? label : fresh(label);
     } else {
       mark(found);
     }
-    if (task.open == 0xFFFF) {
-      std::copy(found.label, found.label + at_once, out);
-    } else {
-      for_bits(task.open, [&](std::uint32_t i) noexcept { out[i] = found.label[i]; });
-    }
+    return found;
+  }
+  static std::uint16_t fresh(std::uint16_t label) noexcept {
+    return static_cast<std::uint16_t>(label | CellLabeller::fresh);
+  }
+  void decide() const noexcept {
+    DepthCellTask task;
+    begin(task);
+    task.at = {undecided.numbers.data(), at_once};
+    task.open = (1U << undecided.count) - 1U;
+    task.planes = static_cast<std::int32_t>(work.planes.size());
+    const DepthCellPlanes found = choose(task);
+    for (std::size_t i = 0; i < undecided.count; ++i) *undecided.label[i] = found.label[i];
+    undecided.count = 0;
+  }
+  void write_row(Group& group, std::int32_t x, std::int32_t y) const noexcept {
+    const std::uint32_t free = free_in_row(x, y);
+    if (free == 0) return;
+    std::uint16_t* out = row(x, y);
+    const auto place = static_cast<std::size_t>(out - labels_of(level).data());
+    DepthCellTask& task = group.task;
+    task.at = work.cells.rows(level, place);
+    for_bits(group.settled & free, [&](std::uint32_t i) noexcept {
+      if (task.at.first[i] >= task.least) out[i] = is_finest() ? fresh(group.label[i]) : group.label[i];
+    });
+    task.open = group.open & free;
+    if (task.open == 0) return;
+    const DepthCellPlanes found = choose(task);
+    for_bits(task.open, [&](std::uint32_t i) noexcept {
+      if (found.label[i] != DepthCellPlanes::undecided) {
+        out[i] = found.label[i];
+        return;
+      }
+      undecided.add(work.cells.rows(level, place + i), out + i);
+      if (undecided.is_full()) decide();
+    });
   }
   void label_below(std::int32_t X, std::int32_t Y) const noexcept {
     const std::int32_t bottom = std::min(2 * Y + 2, work.cells.size(level).height);
     std::uint32_t free = 0;
-    std::int32_t first = 0;
-    for (std::int32_t y = 2 * Y; y < bottom; ++y) free |= to_label(2 * X, y, first);
+    for (std::int32_t y = 2 * Y; y < bottom; ++y) free |= free_in_row(2 * X, y);
     if (free == 0) return;
     Group group;
     begin(group.task);
@@ -262,22 +277,31 @@ struct Level {
       for (std::int32_t x = 0; x < size.width; x += at_once) write_row(group, x, y);
     }
   }
-  void label() const noexcept {
-    if (level + 1 == DepthCells::levels) return label_coarsest();
+  void label_finer() const noexcept {
     const Size coarse = work.cells.size(level + 1);
     for (std::int32_t Y = 0; Y < coarse.height; ++Y) {
       for (std::int32_t X = 0; X < coarse.width; X += parents_at_once) label_below(X, Y);
     }
     for (std::uint16_t& marked : labels_of(level + 1)) marked = label_of(marked);
   }
+  void label() const noexcept {
+    if (level + 1 == DepthCells::levels) {
+      label_coarsest();
+    } else {
+      label_finer();
+    }
+    if (undecided.count > 0) decide();
+  }
 };
 
 }  // namespace
 
 void CellLabeller::label(const CellLabels& labels) const noexcept {
+  if (planes.empty()) return;
   fill_surfaces(planes, cells, surfaces);
+  Undecided undecided;
   for (int level = DepthCells::levels - 1; level >= cells.finest(); --level) {
-    Level{*this, surfaces, labels, level}.label();
+    Level{*this, surfaces, labels, level, undecided}.label();
   }
 }
 

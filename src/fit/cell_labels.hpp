@@ -14,11 +14,9 @@ namespace straightedge::detail {
 
 using CellLabels = std::array<std::span<std::uint16_t>, DepthCells::levels>;
 
-/// Step 3 of frame_planes.hpp: every open cell of every level takes one of the planes (its index + 1) or none
-/// (0); those that took none before, one of the new planes. Cells with a plane keep it.
+/// Step 3 of frame_planes.hpp: every cell of every level that has no plane (0) takes one (its index + 1) or
+/// none.
 struct CellLabeller {
-  /// In place of a label: the cell may take any plane.
-  static constexpr std::uint16_t open = 0x2000;
   /// Beside the label of a smallest cell that has just got it.
   static constexpr std::uint16_t fresh = 0x4000;
 
@@ -28,7 +26,6 @@ struct CellLabeller {
   const DepthKernels& kernels;
   /// Room for the planes once more, as the cells see them.
   const DepthSurfaces& surfaces;
-  std::uint32_t first_new;  ///< planes from this one on are new
 
   void label(const CellLabels& labels) const noexcept;
 };

@@ -99,17 +99,17 @@ void choose_some(const DepthCellTask& task, const DepthSurfaces& s, std::int32_t
   }
   const Marks pure = (best.squares < task.pure_of_asked * unit) | marks_of(task.given, first);
   const Marks left = open & (pure == Marks{}) & cell.is_flat(task.pure * unit);
-  if (any(left)) {
+  if (task.planes > 0 && any(left)) {
     // The squares are at least those of the means: a plane far from these cannot become a cell's.
     const Lanes limit = task.pure * variance;
-    for (std::int32_t k = task.first; k < task.planes; ++k) {
+    for (std::int32_t k = 0; k < task.planes; ++k) {
       if (is_far(cell.off(s, k), limit)) continue;
       best.offer(cell.squares(s, k), left, k);
     }
   }
-  // What is no reading's plane of those asked has to fit as well as any.
-  const auto fits = pure | (best.squares < task.pure * unit);
-  best.label = fits ? best.label : none;
+  const auto fits = task.planes > 0 ? pure | (best.squares < task.pure * unit) : pure;
+  const Lanes otherwise = task.planes > 0 ? none : left ? all(DepthCellPlanes::undecided) : none;
+  best.label = fits ? best.label : otherwise;
   best.label = open ? best.label : none;
   const Lanes mean = best.squares / (unit > none ? unit : one);
   float labels[lanes];

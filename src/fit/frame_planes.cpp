@@ -59,9 +59,9 @@ Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
   return Status::ok;
 }
 
-void FramePlanes::assign_cells(std::uint32_t first_new) noexcept {
+void FramePlanes::assign_cells() noexcept {
   // Step 3.
-  detail::CellLabeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels, float_surfaces_, first_new}
+  detail::CellLabeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels, float_surfaces_}
       .label(cell_labels_);
 }
 
@@ -74,7 +74,7 @@ void FramePlanes::refit(const PinholeCamera& camera, std::uint32_t first_new) no
     becomes_[k] = stays ? k : gone;
   }
   join(fitting, first_new);
-  keep(0);
+  keep();
 }
 
 void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::uint32_t first_new) noexcept {
@@ -102,7 +102,7 @@ void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::uint32_t first
   }
 }
 
-void FramePlanes::keep(std::uint16_t of_gone) noexcept {
+void FramePlanes::keep() noexcept {
   const std::span<std::uint16_t> label = new_label_;
   label[0] = 0;
   const std::uint32_t before = count_;
@@ -117,7 +117,7 @@ void FramePlanes::keep(std::uint16_t of_gone) noexcept {
     } else if (becomes_[k] < count_) {
       label[k + 1] = label[becomes_[k] + 1U];  // joined into an earlier plane
     } else {
-      label[k + 1] = becomes_[k] == gone ? of_gone : std::uint16_t{0};
+      label[k + 1] = 0;
     }
   }
   count_ = kept;
@@ -192,7 +192,7 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
     round = round || shape == detail::PlaneShape::bent;
   }
   if (round) clear_round();
-  keep(last ? std::uint16_t{0} : detail::CellLabeller::open);
+  keep();
 }
 
 void FramePlanes::clear_round() noexcept {
@@ -247,7 +247,7 @@ Status FramePlanes::search_round(const DepthView& depth, const PlaneSearch& sear
   }
   const std::uint32_t before = count_;
   count_ += added;
-  assign_cells(before);
+  assign_cells();
   refit(depth.camera, before);
   judge(depth.camera, false);
   return Status::ok;
@@ -260,7 +260,7 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   if (depth.raw.size() != size_ || labels.size() != size_) return Status::size_mismatch;
   found = {};
   count_ = 0;
-  for (const std::span<std::uint16_t> level : cell_labels_) std::fill(level.begin(), level.end(), detail::CellLabeller::open);
+  for (const std::span<std::uint16_t> level : cell_labels_) std::fill(level.begin(), level.end(), std::uint16_t{0});
   if (const Status read = read_depth(depth); read != Status::ok) return read;
   double readings = 0;
   const int coarsest = DepthCells::levels - 1;
@@ -285,7 +285,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
                            std::span<FoundPlane> planes, PlanesFound& found) noexcept {
   // Step 7.
   if (dropped_) {
-    assign_cells(count_);
+    assign_cells();
     refit(depth.camera, count_);
   }
   sort_by_cells();

@@ -4,16 +4,10 @@
 
 #include <algorithm>
 
-#include "cell_labels.hpp"
-
 namespace straightedge::detail {
 namespace {
 
 constexpr std::uint16_t taken = 0xFFFF;
-
-bool has_plane(std::uint16_t label) noexcept {
-  return label != 0 && label != CellLabeller::open;
-}
 constexpr std::int32_t reach = 2;
 
 struct Grid {
@@ -28,11 +22,10 @@ struct Grid {
   }
   /// Four cells beside one another; nearly everywhere they are.
   bool all_taken(std::size_t i) const noexcept {
-    return has_plane(labels[i]) && has_plane(labels[i + 1]) && has_plane(labels[i + 2]) &&
-           has_plane(labels[i + 3]);
+    return labels[i] != 0 && labels[i + 1] != 0 && labels[i + 2] != 0 && labels[i + 3] != 0;
   }
   bool is_free(std::int32_t x, std::int32_t y) const noexcept {
-    return !has_plane(labels[place(x, y)]) && counts[place(x, y)] >= least_readings;
+    return labels[place(x, y)] == 0 && counts[place(x, y)] >= least_readings;
   }
   bool is_middle(std::int32_t x, std::int32_t y) const noexcept {
     return x > 0 && y > 0 && x + 1 < size.width && y + 1 < size.height && is_free(x, y) &&
@@ -44,7 +37,7 @@ struct Grid {
          ++j) {
       for (std::int32_t i = std::max<std::int32_t>(x - reach, 0); i <= std::min(x + reach, size.width - 1);
            ++i) {
-        if (!has_plane(labels[place(i, j)])) marks[place(i, j)] = 0;
+        if (labels[place(i, j)] == 0) marks[place(i, j)] = 0;
       }
     }
   }
