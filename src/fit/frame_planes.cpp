@@ -286,7 +286,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
   // Step 7.
   if (dropped_) {
     assign_cells();
-    refit(depth.camera, count_);
+    refit(depth.camera, 0);
   }
   sort_by_cells();
   judge(depth.camera, true);
