@@ -25,16 +25,16 @@ class PlaneSurfaces;
 ///
 ///  1. Inverse depth of every pixel; its sums over cells of options.cell to 32 pixels (depth_cells.hpp).
 ///  2. The search proposes planes.
-///  3. Every cell takes a plane, coarse to fine: a cell of 32 pixels the plane that fits it, if one does; a
-///     smaller cell one of the planes around it, if one fits; else the best of all. So a plane that
-///     cuts through the wall behind it gets no stripe there: the wall's cells have their wall already. Cells
-///     that fit their plane well, and no other around, pass it on to all cells in them.
+///  3. Every cell that has no plane takes one, coarse to fine: a cell of 32 pixels the plane that fits it,
+///     if one does; a smaller cell one of the planes around it, if one fits; else the best of all. So a
+///     plane that cuts through the wall behind it gets no stripe there: the wall's cells have their wall
+///     already. Cells that fit their plane well, and no other around, pass it on to all cells in them.
 ///  4. Planes are fitted anew to their cells; those that are one (chi-square in inverse depth, with a floor)
 ///     are joined, wherever in the picture they lie.
 ///  5. A plane without solid pieces (cells that touch) is a stripe along a crease and leaves. One whose solid
 ///     pieces are bent (a quadratic surface fits them better by more than chance, radius below 0.6 m)
 ///     is a strip of something round: it leaves with its cells.
-///  6. Steps 2 to 5 again on what is left over, if a plane may be in it.
+///  6. Steps 2 to 5 again on what is left over, if a plane may be in it; cells keep the planes they have.
 ///  7. Steps 3 to 5 again if planes have left. Pixels: where all cells around agree, a pixel is its plane's
 ///     if it lies within the gate; elsewhere it goes to the nearest of the planes around, judged by the mean
 ///     over its own surface's 3x3 pixels.

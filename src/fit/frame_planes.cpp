@@ -9,7 +9,6 @@
 #include "cell_tables.hpp"
 #include "free_cells.hpp"
 #include "pixel_labels.hpp"
-#include "cell_pieces.hpp"
 #include "plane_shape.hpp"
 #include "plane_surfaces.hpp"
 #include "rename_labels.hpp"
@@ -17,18 +16,6 @@
 
 namespace straightedge {
 namespace {
-
-// What becomes of planes that leave; of a round thing's strip the cells, too.
-constexpr std::uint16_t gone = 0xFFFF, gone_with_cells = 0xFFFE;
-// Pieces with fewer pixels than this share of the least plane are chance: other planes may have them.
-constexpr double crumb_share = 0.3;
-
-/// Pixels of a solid piece: as many cells as the least plane of the usual options has. A large plane may be
-/// in pieces, as the front of a shelf is.
-double solid_pixels(Size size, const FramePlanesOptions& options) noexcept {
-  const double cells = static_cast<double>(least_pixels(size, {})) / (DepthCells::side * DepthCells::side);
-  return std::min(cells * options.cell * options.cell, static_cast<double>(least_pixels(size, options)));
-}
 
 /// Indices of the planes, the one with most pixels first, then in their order.
 void sort_by_pixels(std::span<const InverseDepthMoments> moments, std::span<std::uint16_t> order) noexcept {
@@ -71,7 +58,7 @@ void FramePlanes::refit(const PinholeCamera& camera, std::uint32_t first_new) no
   fitting.add_fresh(cells_, small_cell_labels(), sums_.first(count_));
   for (std::uint16_t k = 0; k < count_; ++k) {
     const bool stays = sums_[k].n >= min_pixels_ / 2.0 && fitting.fit(sums_[k], surfaces_[k], squares_[k]);
-    becomes_[k] = stays ? k : gone;
+    becomes_[k] = stays ? k : detail::gone;
   }
   join(fitting, first_new);
   keep();
@@ -79,11 +66,13 @@ void FramePlanes::refit(const PinholeCamera& camera, std::uint32_t first_new) no
 
 void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::uint32_t first_new) noexcept {
   detail::Contacts contacts{cells_.size(cells_.finest()), small_cell_labels(), contacts_};
+  detail::QuadraticFit fit;
   for (std::uint16_t i = 0; i < count_; ++i) {
     if (becomes_[i] != i) continue;
     const std::uint32_t first = std::max(i + 1U, first_new);
+    if (first == count_ || !fitting.solve(sums_[i], fit)) continue;
     for (std::uint32_t j = first; j < count_; ++j) {
-      if (becomes_[j] != j) continue;
+      if (becomes_[j] != j || fitting.are_far(sums_[i], fit, sums_[j])) continue;
       contacts.i = i;
       contacts.j = j;
       if (!fitting.are_one(sums_[i], sums_[j], squares_[i] + squares_[j], contacts, surfaces_[i],
@@ -97,6 +86,7 @@ void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::uint32_t first
       candidates_[i].score += candidates_[j].score;
       candidates_[i].confidence = std::max(candidates_[i].confidence, candidates_[j].confidence);
       becomes_[j] = i;
+      (void)fitting.solve(sums_[i], fit);
       j = first - 1;  // the joined plane has moved: those that were refused may fit now
     }
   }
@@ -147,70 +137,6 @@ void FramePlanes::sort_by_cells() noexcept {
   new_label_[0] = 0;
   for (std::uint16_t i = 0; i < count_; ++i) new_label_[before[i] + 1U] = static_cast<std::uint16_t>(i + 1);
   rename_cells(new_label_.first(count_ + 1U));
-}
-
-void FramePlanes::count_solid(const PinholeCamera& camera, bool drop_crumbs) noexcept {
-  const std::span<std::uint16_t> labels = small_cell_labels();
-  const double least = solid_pixels(size_, options_), of_cell = options_.cell * options_.cell;
-  std::fill_n(cells_of_.begin(), count_, 0U);
-  std::fill_n(solid_.begin(), count_, 0U);
-  std::fill_n(loose_.begin(), count_, detail::QuadraticSums{});
-  const detail::CellPieces pieces{cells_.size(cells_.finest()), labels, visited_, runs_};
-  pieces.find();
-  const auto is_crumb = [&](std::int32_t cells) noexcept {
-    return drop_crumbs && cells * of_cell < crumb_share * least;
-  };
-  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) noexcept {
-    const auto run = static_cast<std::uint32_t>(end - begin);
-    if (!is_crumb(cells)) cells_of_[label - 1U] += run;
-    if (cells * of_cell >= least) {
-      solid_[label - 1U] += run;
-    } else {
-      const auto again = static_cast<std::uint16_t>(label | detail::CellLabeller::fresh);
-      std::fill(labels.begin() + begin, labels.begin() + end, again);
-    }
-  });
-  detail::PlaneSurfaces(size_, camera, options_).add_fresh(cells_, labels, loose_);
-  if (!drop_crumbs) return;
-  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t, std::int32_t cells) noexcept {
-    if (is_crumb(cells)) std::fill(labels.begin() + begin, labels.begin() + end, std::uint16_t{0});
-  });
-}
-
-void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
-  // Step 5.
-  count_solid(camera, last);
-  dropped_ = false;
-  bool round = false;
-  for (std::uint16_t k = 0; k < count_; ++k) {
-    detail::QuadraticSums solid = sums_[k];
-    solid.take_off(loose_[k]);
-    const detail::PlaneShape shape =
-        detail::plane_shape(cells_of_[k], solid_[k], solid, size_, options_, camera);
-    becomes_[k] = shape == detail::PlaneShape::flat ? k : shape == detail::PlaneShape::bent ? gone_with_cells : gone;
-    dropped_ = dropped_ || shape != detail::PlaneShape::flat;
-    round = round || shape == detail::PlaneShape::bent;
-  }
-  if (round) clear_round();
-  keep();
-}
-
-void FramePlanes::clear_round() noexcept {
-  const std::span<const std::uint16_t> labels = small_cell_labels();
-  for (std::size_t cell = 0; cell < labels.size(); ++cell) {
-    if (labels[cell] != 0 && becomes_[labels[cell] - 1U] == gone_with_cells) clear_cell(static_cast<std::int32_t>(cell));
-  }
-  cells_.sum_up(*options_.kernels);
-}
-
-void FramePlanes::clear_cell(std::int32_t cell) noexcept {
-  const std::int32_t side = options_.cell, width = cells_.size(cells_.finest()).width;
-  const std::int32_t left = cell % width * side, top = cell / width * side;
-  cells_.set(cells_.finest(), static_cast<std::size_t>(cell), {});
-  cells_.counts()[static_cast<std::size_t>(cell)] = 0;
-  for (std::int32_t y = top; y < std::min(top + side, size_.height); ++y) {
-    std::fill(inverse_depth_.row(y) + left, inverse_depth_.row(y) + std::min(left + side, size_.width), 0.0F);
-  }
 }
 
 Status FramePlanes::read_depth(const DepthView& depth) noexcept {

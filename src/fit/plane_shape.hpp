@@ -10,6 +10,9 @@
 
 namespace straightedge::detail {
 
+/// What becomes of a plane that leaves, in place of an index.
+constexpr std::uint16_t gone = 0xFFFF;
+
 enum class PlaneShape : std::uint8_t {
   flat,    ///< a plane
   stripe,  ///< no solid pieces: pixels along a crease or an edge

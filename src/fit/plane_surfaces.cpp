@@ -21,6 +21,8 @@ constexpr double floor_when_apart = 0.5;
 constexpr double floor_when_touching = 1.5;
 constexpr double floor_when_mixed = 2.5;
 constexpr double contacts_of_mixed = 0.25;
+// So many times the cost that would be allowed leaves no doubt, though bends are held back.
+constexpr double surely = 2;
 // Standard deviation of the bend: the radius of a wall in the picture of a common sensor. Half a Kinect's
 // picture sags by some three deviations of its noise then.
 constexpr double usual_radius_m = 40;
@@ -78,6 +80,29 @@ struct FreshCells {
     for (std::int32_t y = box.y; y < box.end.height; ++y) std::fill(at(box.x, y), at(box.end.width, y), label);
     return label;
   }
+  /// Calls add(mean, label) for those that are fresh, together for one label.
+  template <class Add>
+  void take_groups(const DepthCells& cells, const CellBox& box, const Add& add) const noexcept {
+    for_cells(box, [&](std::int32_t x, std::int32_t y) noexcept {
+      const std::uint16_t marked = *at(x, y);
+      if ((marked & fresh) == 0) return;
+      DepthCell mean;
+      for_cells(box, [&](std::int32_t i, std::int32_t j) noexcept {
+        if (*at(i, j) != marked) return;
+        *at(i, j) = static_cast<std::uint16_t>(marked & ~fresh);
+        const DepthCell cell = cells.at(cells.finest(), static_cast<std::size_t>(j * size.width + i));
+        mean.n += cell.n;
+        mean.u += cell.n * cell.u;
+        mean.v += cell.n * cell.v;
+        mean.q += cell.n * cell.q;
+      });
+      const float share = 1 / mean.n;
+      mean.u *= share;
+      mean.v *= share;
+      mean.q *= share;
+      add(mean, *at(x, y));
+    });
+  }
 };
 
 }  // namespace
@@ -114,23 +139,38 @@ void PlaneSurfaces::add_fresh(const DepthCells& cells, std::span<std::uint16_t> 
     if (add_cell(coarsest, X, Y)) return;
     for_cells(part(X, Y, coarsest - finest - 1, cells.size(finest + 1)), [&](std::int32_t x, std::int32_t y) noexcept {
       if (add_cell(finest + 1, x, y)) return;
-      for_cells(part(x, y, 1, all.size), [&](std::int32_t i, std::int32_t j) noexcept { (void)add_cell(finest, i, j); });
+      all.take_groups(cells, part(x, y, 1, all.size),
+                      [&](const DepthCell& group, std::uint16_t of) noexcept { add(group, sums[of - 1U]); });
     });
   });
 }
 
-bool PlaneSurfaces::fit(const QuadraticSums& sums, BentPlane& surface, double& squares) const noexcept {
+bool PlaneSurfaces::solve(const QuadraticSums& sums, QuadraticFit& found) const noexcept {
   if (!(sums.n > 0)) return false;
   const double noise = options_.gate.inverse_noise(sums.right[0] / sums.n);
   // A radius r is a second derivative 1/(r f²) per pixel², twice the coefficient per scaled unit².
   const double usual = scale_ * scale_ / (2 * usual_radius_m * focal_square_);
+  return fit_quadratic(sums, noise * noise * options_.noise_pixels / (usual * usual), found);
+}
+
+bool PlaneSurfaces::fit(const QuadraticSums& sums, BentPlane& surface, double& squares) const noexcept {
   QuadraticFit found;
-  if (!fit_quadratic(sums, noise * noise * options_.noise_pixels / (usual * usual), found)) return false;
+  if (!solve(sums, found)) return false;
   const auto& c = found.coefficients;
   const double a = c[1] / scale_, b = c[2] / scale_, square = scale_ * scale_;
   surface = {{a, b, c[0] - a * u0_ - b * v0_}, c[3] / square, c[4] / square, c[5] / square, u0_, v0_};
   squares = found.squares;
   return true;
+}
+
+double PlaneSurfaces::allowed(const QuadraticSums& a, const QuadraticSums& b, double floor) const noexcept {
+  const double n = a.n + b.n, noise = options_.gate.inverse_noise((a.right[0] + b.right[0]) / n);
+  return noise * noise * (chi_square_gate * options_.noise_pixels + floor * floor * a.n * b.n / n);
+}
+
+bool PlaneSurfaces::are_far(const QuadraticSums& a, const QuadraticFit& fit_of_a,
+                            const QuadraticSums& b) const noexcept {
+  return least_cost(fit_of_a, b) > surely * allowed(a, b, floor_when_mixed);
 }
 
 bool PlaneSurfaces::are_one(const QuadraticSums& a, const QuadraticSums& b, double squares_apart,
@@ -140,18 +180,13 @@ bool PlaneSurfaces::are_one(const QuadraticSums& a, const QuadraticSums& b, doub
   BentPlane common;
   double squares_of_both = 0;
   if (!fit(both, common, squares_of_both)) return false;
-  const double noise = options_.gate.inverse_noise(both.right[0] / both.n);
-  const double cost = (squares_of_both - squares_apart) / (noise * noise);
-  const auto allows = [&](double floor) noexcept {
-    return cost < chi_square_gate * options_.noise_pixels + floor * floor * a.n * b.n / both.n;
-  };
-  if (!allows(floor_when_mixed)) return false;
+  const double cost = squares_of_both - squares_apart;
+  if (!(cost < allowed(a, b, floor_when_mixed))) return false;
   const double cells = std::min(a.n, b.n) / (options_.cell * options_.cell);
   const std::uint32_t touching = contacts.of(contacts.i, contacts.j);
   const bool mixed_up = touching >= contacts_of_mixed * cells;
-  if (!allows(mixed_up ? floor_when_mixed : touching > 0 ? floor_when_touching : floor_when_apart)) {
-    return false;
-  }
+  const double floor = mixed_up ? floor_when_mixed : touching > 0 ? floor_when_touching : floor_when_apart;
+  if (!(cost < allowed(a, b, floor))) return false;
   surface = common;
   squares = squares_of_both;
   return true;

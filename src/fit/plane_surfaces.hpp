@@ -29,8 +29,12 @@ class PlaneSurfaces {
   /// Adds the smallest cells that are fresh to the sums of their planes; they are fresh no more.
   void add_fresh(const DepthCells& cells, std::span<std::uint16_t> cell_labels,
                  std::span<QuadraticSums> sums) const noexcept;
-  /// The surface of the sums, and its squared residuals. False when there are too few cells.
+  /// The surface of the sums, in the units of these. False when there are too few cells.
+  bool solve(const QuadraticSums& sums, QuadraticFit& found) const noexcept;
+  /// The same as a surface of the picture, and its squared residuals.
   bool fit(const QuadraticSums& sums, BentPlane& surface, double& squares) const noexcept;
+  /// Whether two planes cannot be one, of which the first has that fit: a quick answer for nearly all.
+  bool are_far(const QuadraticSums& a, const QuadraticFit& fit_of_a, const QuadraticSums& b) const noexcept;
   /// Whether two planes, each with its own surface, are one: what it costs, in squared residuals, that both
   /// have one instead. `contacts` are those of the two, looked at only where they matter. The common surface
   /// and its squares are written if they are.
@@ -39,6 +43,7 @@ class PlaneSurfaces {
 
  private:
   void add(const DepthCell& cell, QuadraticSums& sums) const noexcept;
+  double allowed(const QuadraticSums& a, const QuadraticSums& b, double floor) const noexcept;
 
   double u0_, v0_, scale_, inverse_scale_;
   double focal_square_;

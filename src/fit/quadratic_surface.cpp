@@ -13,15 +13,13 @@ constexpr std::size_t place(std::size_t row, std::size_t column) noexcept {
   return row * (row + 1) / 2 + column;
 }
 
-using Triangle = std::array<double, terms*(terms + 1) / 2>;
-
 // Which of the moments each product of two terms is: the lower triangle, row by row.
 constexpr std::array<std::size_t, terms*(terms + 1) / 2> moment_of{
     0, 1, 3, 2, 4, 5, 3, 6, 7, 10, 4, 7, 8, 11, 12, 5, 8, 9, 12, 13, 14};
 
 /// Lower triangle of the decomposition, in place; of the diagonal the reciprocals. False for a matrix that is
 /// not positive definite.
-bool decompose(Triangle& m) noexcept {
+bool decompose(QuadraticTriangle& m) noexcept {
   for (std::size_t i = 0; i < terms; ++i) {
     const double before = m[place(i, i)];
     for (std::size_t j = 0; j <= i; ++j) {
@@ -68,7 +66,7 @@ void QuadraticSums::take_off(const QuadraticSums& other) noexcept {
 }
 
 bool fit_quadratic(const QuadraticSums& sums, double ridge, QuadraticFit& fit) noexcept {
-  Triangle lower;
+  QuadraticTriangle& lower = fit.root;
   for (std::size_t i = 0; i < lower.size(); ++i) lower[i] = sums.moments[moment_of[i]];
   for (std::size_t i = 3; i < terms; ++i) lower[place(i, i)] += ridge;
   if (!(sums.n > 0) || !decompose(lower)) return false;
@@ -89,6 +87,23 @@ bool fit_quadratic(const QuadraticSums& sums, double ridge, QuadraticFit& fit) n
   }
   fit.squares = sums.qq > explained ? sums.qq - explained : 0;
   return true;
+}
+
+double least_cost(const QuadraticFit& fit, const QuadraticSums& others) noexcept {
+  // The residual of their mean, of variance 1/n, from a prediction: the mean of the terms, propagated.
+  const double inverse_n = 1 / others.n;
+  double off = others.right[0], variance = 0;
+  std::array<double, terms> solved;
+  for (std::size_t i = 0; i < terms; ++i) {
+    const double mean = others.moments[i] * inverse_n;
+    double sum = mean;
+    for (std::size_t k = 0; k < i; ++k) sum -= fit.root[place(i, k)] * solved[k];
+    solved[i] = sum * fit.root[place(i, i)];
+    variance += solved[i] * solved[i];
+    off -= fit.coefficients[i] * others.moments[i];
+  }
+  off *= inverse_n;
+  return off * off / (variance + inverse_n);
 }
 
 }  // namespace straightedge::detail

@@ -25,15 +25,23 @@ struct QuadraticSums {
   void take_off(const QuadraticSums& other) noexcept;
 };
 
+/// A triangle of a symmetric matrix of the terms, row by row.
+using QuadraticTriangle = std::array<double, QuadraticSums::terms*(QuadraticSums::terms + 1) / 2>;
+
 struct QuadraticFit {
   std::array<double, QuadraticSums::terms> coefficients{};
   double squares = 0;       ///< sum of the weighted squared residuals, the ridge's penalty included
   double bend_squares = 0;  ///< what the last three terms explain beyond the first three
+  QuadraticTriangle root;   ///< Cholesky's of the normal matrix, with the reciprocals of its diagonal
 };
 
 /// Least squares by Cholesky's decomposition. `ridge` is added to the diagonal of the last three terms: a
 /// surface bends only as far as its samples insist. False when they do not settle it.
 bool fit_quadratic(const QuadraticSums& sums, double ridge, QuadraticFit& fit) noexcept;
+
+/// A lower bound for how many squared residuals more it costs that other samples lie on the surface of a fit,
+/// too, than that they have one of their own (no ridge looked at): what their mean residual from it costs.
+double least_cost(const QuadraticFit& fit, const QuadraticSums& others) noexcept;
 
 /// A plane in inverse depth as a real sensor pictures it, slightly bent.
 struct BentPlane {
