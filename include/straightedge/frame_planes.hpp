@@ -40,9 +40,9 @@ class PlaneSurfaces;
 ///     over its own surface's 3x3 pixels.
 ///  8. Last fit to all pixels of each label; planes with too few leave; largest first.
 ///
-/// Overlap-based comparison of range image segmentation: A. Hoover et al., IEEE PAMI 18(7), 1996,
-/// doi:10.1109/34.506791. Moments in cells: P. Proença, Y. Gao, "Fast cylinder and plane extraction from
-/// depth cameras for visual odometry", IROS 2018, doi:10.1109/IROS.2018.8593683.
+/// Comparison of range image segmentation: A. Hoover et al., IEEE PAMI 18(7), 1996, doi:10.1109/34.506791.
+/// Moments in cells: P. Proença, Y. Gao, "Fast cylinder and plane extraction from depth cameras for visual
+/// odometry", IROS 2018, doi:10.1109/IROS.2018.8593683.
 ///
 /// Linear in pixels, and in cells times planes for cells that no plane around fits. Memory: about 8 bytes a
 /// pixel. A frame without readings has no planes.
@@ -93,16 +93,15 @@ class FramePlanes {
     }
     const std::size_t small_cells = DepthCells::cell_count(DepthCells::size_of(size, finest));
     visited_ = arena.take<std::uint16_t>(small_cells);
+    rough_ = arena.take<std::uint16_t>(detail::cell_groups(DepthCells::size_of(size, finest)));
     runs_ = arena.take<std::int32_t>(small_cells);
     candidates_ = arena.take<ProposedPlane>(options.max_planes);
     surfaces_ = arena.take<detail::BentPlane>(options.max_planes);
     squares_ = arena.take<double>(options.max_planes);
-    loose_ = arena.take<detail::QuadraticSums>(options.max_planes);
-    sums_ = arena.take<detail::QuadraticSums>(options.max_planes);
+    for (auto* sums : {&loose_, &sums_}) *sums = arena.take<detail::QuadraticSums>(options.max_planes);
     float_surfaces_ = detail::take_surfaces(arena, options.max_planes);
     contacts_ = arena.take<std::uint32_t>(std::size_t{options.max_planes} * (options.max_planes - 1U) / 2);
-    solid_ = arena.take<std::uint32_t>(options.max_planes);
-    cells_of_ = arena.take<std::uint32_t>(options.max_planes);
+    for (auto* counts : {&solid_, &cells_of_}) *counts = arena.take<std::uint32_t>(options.max_planes);
     moments_ = arena.take<InverseDepthMoments>(options.max_planes);
     becomes_ = arena.take<std::uint16_t>(options.max_planes);
     new_label_ = arena.take<std::uint16_t>(std::size_t{options.max_planes} + 1);
@@ -119,35 +118,32 @@ class FramePlanes {
   void keep() noexcept;
   void rename_cells(std::span<const std::uint16_t> by) noexcept;
   void sort_by_cells() noexcept;
+  void judge(const PinholeCamera& camera, bool last) noexcept;
   void count_solid(const PinholeCamera& camera, bool drop_crumbs) noexcept;
   void clear_round() noexcept;
-  void judge(const PinholeCamera& camera, bool last) noexcept;
   void clear_cell(std::int32_t cell) noexcept;
   Status finish(const DepthView& depth, ImageView<std::uint16_t> labels, std::span<FoundPlane> planes,
                 PlanesFound& found) noexcept;
 
   Size size_{};
   FramePlanesOptions options_{};
-  bool prepared_ = false;
   std::uint32_t min_pixels_ = 0;
   ImageView<float> inverse_depth_;
   DepthCells cells_;
   std::array<std::span<std::uint16_t>, DepthCells::levels> cell_labels_{};
-  std::span<std::uint16_t> visited_;
+  std::span<std::uint16_t> visited_, rough_;  // bits of cells that no plane can fit
   std::span<std::int32_t> runs_;
   std::span<ProposedPlane> candidates_;
   std::span<detail::BentPlane> surfaces_;
   std::span<double> squares_;  // residuals of each plane's cells from its surface
   DepthSurfaces float_surfaces_;
   std::span<detail::QuadraticSums> sums_, loose_;  // of each plane's cells; of those not in solid pieces
-  std::span<std::uint32_t> contacts_;          // touching cells of each pair of planes
-  std::span<std::uint32_t> solid_, cells_of_;  // of each plane's cells those in solid pieces, and all
+  std::span<std::uint32_t> contacts_;              // touching cells of each pair of planes
+  std::span<std::uint32_t> solid_, cells_of_;      // of each plane's cells those in solid pieces, and all
   std::span<InverseDepthMoments> moments_;
-  /// What becomes of each plane: itself, an earlier one that it is joined into, or gone; in the end their
-  /// order.
-  std::span<std::uint16_t> becomes_;
-  std::span<std::uint16_t> new_label_;  // of each label
-  bool dropped_ = false;
+  // What becomes of each plane: an index, or gone; in the end their order. What becomes of each label.
+  std::span<std::uint16_t> becomes_, new_label_;
+  bool prepared_ = false, dropped_ = false;
   std::uint32_t count_ = 0;
 };
 

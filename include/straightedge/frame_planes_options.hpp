@@ -70,5 +70,10 @@ constexpr int finest_level(const FramePlanesOptions& o) noexcept {
   return o.cell == 4 ? 0 : o.cell == 8 ? 1 : 2;
 }
 
+/// Sixteen cells beside one another.
+constexpr std::size_t cell_groups(Size cells) noexcept {
+  return static_cast<std::size_t>(cells.height) * static_cast<std::size_t>((cells.width + 15) / 16);
+}
+
 }  // namespace detail
 }  // namespace straightedge

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "base/lowest_bit.hpp"
 #include "depth_surfaces.hpp"
 #include "four_labels.hpp"
 #include "labels_around.hpp"
 #include "planes_around.hpp"
+#include "undecided_cells.hpp"
 
 namespace straightedge::detail {
 namespace {
@@ -39,21 +39,6 @@ constexpr std::uint16_t with_trust(std::uint16_t label, Trust trust) noexcept {
 constexpr std::uint16_t label_of(std::uint16_t marked) noexcept {
   return static_cast<std::uint16_t>(marked & ~LabelsAround::mark);
 }
-/// Bit i: cell i has no plane.
-std::uint32_t free_cells(const std::uint16_t* labels, std::int32_t count) noexcept {
-  std::uint32_t free = 0;
-  std::int32_t i = 0;
-  for (; i + 4 <= count; i += 4) free |= lowest_of(~not_zero(four(labels + i)) >> 15U) << i;
-  for (; i < count; ++i) free |= static_cast<std::uint32_t>(labels[i] == 0) << i;
-  return free;
-}
-
-/// Calls visit(i) for each bit i.
-template <class Visit>
-void for_bits(std::uint32_t bits, const Visit& visit) noexcept {
-  for (; bits != 0; bits &= bits - 1) visit(lowest_bit(bits));
-}
-
 /// Each label with how far it is trusted.
 void mark(DepthCellPlanes& found) noexcept {
   for (std::int32_t i = 0; i < DepthCellTask::cells; ++i) {
@@ -100,21 +85,6 @@ struct Group {
   std::uint32_t settled = 0;  ///< cells whose label is known
   std::uint32_t open = 0;     ///< those that choose
   std::array<std::uint16_t, at_once> label;
-};
-
-/// Cells that no plane around fits, from all over a level: all planes are tried on sixteen at once.
-struct Undecided {
-  std::array<float, std::size_t{DepthCellRows::kinds} * at_once> numbers{};
-  std::array<std::uint16_t*, at_once> label{};
-  std::size_t count = 0;
-
-  void add(const DepthCellRows& cell, std::uint16_t* its_label) noexcept {
-    for (std::size_t kind = 0; kind < DepthCellRows::kinds; ++kind) {
-      numbers[kind * at_once + count] = cell.first[static_cast<std::ptrdiff_t>(kind) * cell.apart];
-    }
-    label[count++] = its_label;
-  }
-  bool is_full() const noexcept { return count == at_once; }
 };
 
 /// The labels of one level.
@@ -210,7 +180,12 @@ struct Level {
     return labels_of(level).data() + static_cast<std::ptrdiff_t>(y) * work.cells.size(level).width + x;
   }
   std::uint32_t free_in_row(std::int32_t x, std::int32_t y) const noexcept {
-    return free_cells(row(x, y), std::min(at_once, work.cells.size(level).width - x));
+    const std::uint32_t free = free_cells(row(x, y), std::min(at_once, work.cells.size(level).width - x));
+    return is_finest() ? free & ~std::uint32_t{rough(x, y)} : free;
+  }
+  std::uint16_t& rough(std::int32_t x, std::int32_t y) const noexcept {
+    const std::int32_t groups = (work.cells.size(level).width + at_once - 1) / at_once;
+    return work.rough[static_cast<std::size_t>(y * groups + x / at_once)];
   }
   /// Labels, each with what is known of it.
   DepthCellPlanes choose(const DepthCellTask& task) const noexcept {
@@ -249,14 +224,17 @@ struct Level {
     task.open = group.open & free;
     if (task.open == 0) return;
     const DepthCellPlanes found = choose(task);
+    std::uint32_t none = 0;
     for_bits(task.open, [&](std::uint32_t i) noexcept {
       if (found.label[i] != DepthCellPlanes::undecided) {
         out[i] = found.label[i];
+        none |= static_cast<std::uint32_t>(out[i] == 0) << i;
         return;
       }
       undecided.add(work.cells.rows(level, place + i), out + i);
       if (undecided.is_full()) decide();
     });
+    if (is_finest()) rough(x, y) = static_cast<std::uint16_t>(rough(x, y) | none);
   }
   void label_below(std::int32_t X, std::int32_t Y) const noexcept {
     const std::int32_t bottom = std::min(2 * Y + 2, work.cells.size(level).height);

@@ -26,6 +26,8 @@ struct CellLabeller {
   const DepthKernels& kernels;
   /// Room for the planes once more, as the cells see them.
   const DepthSurfaces& surfaces;
+  /// A bit for each smallest cell, sixteen to the group: no plane can fit it, and it is not asked again.
+  std::span<std::uint16_t> rough;
 
   void label(const CellLabels& labels) const noexcept;
 };

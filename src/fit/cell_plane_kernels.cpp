@@ -98,7 +98,7 @@ void choose_some(const DepthCellTask& task, const DepthSurfaces& s, std::int32_t
     best.offer(cell.squares(s, task.plane[i]), marks_of(task.of[i], first), task.plane[i]);
   }
   const Marks pure = (best.squares < task.pure_of_asked * unit) | marks_of(task.given, first);
-  const Marks left = open & (pure == Marks{}) & cell.is_flat(task.pure * unit);
+  const Marks left = open & (pure == Marks{}) & cell.is_flat(task.pure_of_asked * unit);
   if (task.planes > 0 && any(left)) {
     // The squares are at least those of the means: a plane far from these cannot become a cell's.
     const Lanes limit = task.pure * variance;

@@ -48,7 +48,8 @@ Status FramePlanes::prepare(Size size, const FramePlanesOptions& options,
 
 void FramePlanes::assign_cells() noexcept {
   // Step 3.
-  detail::CellLabeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels, float_surfaces_}
+  detail::CellLabeller{cells_, surfaces_.first(count_), options_.gate, *options_.kernels, float_surfaces_,
+                       rough_}
       .label(cell_labels_);
 }
 
@@ -186,7 +187,9 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   if (depth.raw.size() != size_ || labels.size() != size_) return Status::size_mismatch;
   found = {};
   count_ = 0;
-  for (const std::span<std::uint16_t> level : cell_labels_) std::fill(level.begin(), level.end(), std::uint16_t{0});
+  for (const std::span<std::uint16_t> level : cell_labels_)
+    std::fill(level.begin(), level.end(), std::uint16_t{0});
+  std::fill(rough_.begin(), rough_.end(), std::uint16_t{0});
   if (const Status read = read_depth(depth); read != Status::ok) return read;
   double readings = 0;
   const int coarsest = DepthCells::levels - 1;

@@ -52,16 +52,17 @@ void FramePlanes::count_solid(const PinholeCamera& camera, bool drop_crumbs) noe
   const auto is_crumb = [&](std::int32_t cells) noexcept {
     return drop_crumbs && cells * of_cell < crumb_share * least;
   };
-  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) noexcept {
-    const auto run = static_cast<std::uint32_t>(end - begin);
-    if (!is_crumb(cells)) cells_of_[label - 1U] += run;
-    if (cells * of_cell >= least) {
-      solid_[label - 1U] += run;
-    } else {
-      const auto again = static_cast<std::uint16_t>(label | detail::CellLabeller::fresh);
-      std::fill(labels.begin() + begin, labels.begin() + end, again);
-    }
-  });
+  pieces.for_runs(
+      [&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) noexcept {
+        const auto run = static_cast<std::uint32_t>(end - begin);
+        if (!is_crumb(cells)) cells_of_[label - 1U] += run;
+        if (cells * of_cell >= least) {
+          solid_[label - 1U] += run;
+        } else {
+          const auto again = static_cast<std::uint16_t>(label | detail::CellLabeller::fresh);
+          std::fill(labels.begin() + begin, labels.begin() + end, again);
+        }
+      });
   detail::PlaneSurfaces(size_, camera, options_).add_fresh(cells_, labels, loose_);
   if (!drop_crumbs) return;
   pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t, std::int32_t cells) noexcept {
@@ -79,7 +80,9 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
     solid.take_off(loose_[k]);
     const detail::PlaneShape shape =
         detail::plane_shape(cells_of_[k], solid_[k], solid, size_, options_, camera);
-    becomes_[k] = shape == detail::PlaneShape::flat ? k : shape == detail::PlaneShape::bent ? gone_with_cells : gone;
+    becomes_[k] = shape == detail::PlaneShape::flat   ? k
+                  : shape == detail::PlaneShape::bent ? gone_with_cells
+                                                      : gone;
     dropped_ = dropped_ || shape != detail::PlaneShape::flat;
     round = round || shape == detail::PlaneShape::bent;
   }

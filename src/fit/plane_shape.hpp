@@ -19,7 +19,6 @@ enum class PlaneShape : std::uint8_t {
   bent,    ///< a strip of a ball, a pillar, a curtain
 };
 
-
 /// Step 5 of frame_planes.hpp: judges one plane.
 ///
 /// 1. Stripe: solid pieces hold less than half of the plane's cells.

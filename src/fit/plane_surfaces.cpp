@@ -77,31 +77,36 @@ struct FreshCells {
   /// Their label; they are fresh no more.
   std::uint16_t take(const CellBox& box) const noexcept {
     const auto label = static_cast<std::uint16_t>(*at(box.x, box.y) & ~fresh);
-    for (std::int32_t y = box.y; y < box.end.height; ++y) std::fill(at(box.x, y), at(box.end.width, y), label);
+    for (std::int32_t y = box.y; y < box.end.height; ++y)
+      std::fill(at(box.x, y), at(box.end.width, y), label);
     return label;
   }
-  /// Calls add(mean, label) for those that are fresh, together for one label.
+  /// Calls add(cell, label) for those that are fresh; two beside one another of one plane count as one. (What
+  /// counts as one has to touch: as one piece it may be taken off the sums again.)
   template <class Add>
-  void take_groups(const DepthCells& cells, const CellBox& box, const Add& add) const noexcept {
-    for_cells(box, [&](std::int32_t x, std::int32_t y) noexcept {
-      const std::uint16_t marked = *at(x, y);
-      if ((marked & fresh) == 0) return;
-      DepthCell mean;
-      for_cells(box, [&](std::int32_t i, std::int32_t j) noexcept {
-        if (*at(i, j) != marked) return;
-        *at(i, j) = static_cast<std::uint16_t>(marked & ~fresh);
-        const DepthCell cell = cells.at(cells.finest(), static_cast<std::size_t>(j * size.width + i));
-        mean.n += cell.n;
-        mean.u += cell.n * cell.u;
-        mean.v += cell.n * cell.v;
-        mean.q += cell.n * cell.q;
-      });
-      const float share = 1 / mean.n;
-      mean.u *= share;
-      mean.v *= share;
-      mean.q *= share;
-      add(mean, *at(x, y));
-    });
+  void take_pairs(const DepthCells& cells, const CellBox& box, const Add& add) const noexcept {
+    for (std::int32_t y = box.y; y < box.end.height; ++y) {
+      for (std::int32_t x = box.x; x < box.end.width; ++x) {
+        const std::uint16_t marked = *at(x, y);
+        if ((marked & fresh) == 0) continue;
+        const auto label = static_cast<std::uint16_t>(marked & ~fresh);
+        const auto place = static_cast<std::size_t>(at(x, y) - labels.data());
+        *at(x, y) = label;
+        DepthCell cell = cells.at(cells.finest(), place);
+        if (x + 1 < box.end.width && *at(x + 1, y) == marked) {
+          *at(++x, y) = label;
+          cell = mean_of(cell, cells.at(cells.finest(), place + 1));
+        }
+        add(cell, label);
+      }
+    }
+  }
+
+ private:
+  /// Readings and means of both.
+  static DepthCell mean_of(const DepthCell& a, const DepthCell& b) noexcept {
+    const float n = a.n + b.n, share = b.n / n;
+    return {n, a.u + share * (b.u - a.u), a.v + share * (b.v - a.v), a.q + share * (b.q - a.q)};
   }
 };
 
@@ -131,16 +136,18 @@ void PlaneSurfaces::add_fresh(const DepthCells& cells, std::span<std::uint16_t> 
     const FreshCells::Kind kind = all.kind(box);
     if (kind != FreshCells::same) return kind == FreshCells::none;
     const auto width = static_cast<std::size_t>(cells.size(level).width);
-    add(cells.at(level, static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)), sums[all.take(box) - 1U]);
+    add(cells.at(level, static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)),
+        sums[all.take(box) - 1U]);
     return true;
   };
   // The cells of a larger one that are all of one plane count as one: there are far fewer of those.
   for_cells({0, 0, cells.size(coarsest)}, [&](std::int32_t X, std::int32_t Y) noexcept {
     if (add_cell(coarsest, X, Y)) return;
-    for_cells(part(X, Y, coarsest - finest - 1, cells.size(finest + 1)), [&](std::int32_t x, std::int32_t y) noexcept {
+    for_cells(part(X, Y, coarsest - finest - 1, cells.size(finest + 1)), [&](std::int32_t x,
+                                                                             std::int32_t y) noexcept {
       if (add_cell(finest + 1, x, y)) return;
-      all.take_groups(cells, part(x, y, 1, all.size),
-                      [&](const DepthCell& group, std::uint16_t of) noexcept { add(group, sums[of - 1U]); });
+      all.take_pairs(cells, part(x, y, 1, all.size),
+                     [&](const DepthCell& cell, std::uint16_t of) noexcept { add(cell, sums[of - 1U]); });
     });
   });
 }

@@ -14,8 +14,8 @@ constexpr std::size_t place(std::size_t row, std::size_t column) noexcept {
 }
 
 // Which of the moments each product of two terms is: the lower triangle, row by row.
-constexpr std::array<std::size_t, terms*(terms + 1) / 2> moment_of{
-    0, 1, 3, 2, 4, 5, 3, 6, 7, 10, 4, 7, 8, 11, 12, 5, 8, 9, 12, 13, 14};
+constexpr std::array<std::size_t, terms*(terms + 1) / 2> moment_of{0, 1, 3,  2,  4, 5, 3, 6,  7,  10, 4,
+                                                                   7, 8, 11, 12, 5, 8, 9, 12, 13, 14};
 
 /// Lower triangle of the decomposition, in place; of the diagonal the reciprocals. False for a matrix that is
 /// not positive definite.
@@ -42,8 +42,9 @@ void QuadraticSums::add(double x, double y, double q, double weight) noexcept {
   const double xx = x * x, xy = x * y, yy = y * y;
   const double wx = weight * x, wy = weight * y, wxx = weight * xx, wxy = weight * xy, wyy = weight * yy;
   const double wq = weight * q;
-  const std::array<double, products> of{weight,  wx,      wy,       wxx,      wxy,      wyy,      wxx * x, wxx * y,
-                                        wyy * x, wyy * y, wxx * xx, wxx * xy, wxx * yy, wyy * xy, wyy * yy};
+  const std::array<double, products> of{weight,   wx,       wy,       wxx,      wxy,
+                                        wyy,      wxx * x,  wxx * y,  wyy * x,  wyy * y,
+                                        wxx * xx, wxx * xy, wxx * yy, wyy * xy, wyy * yy};
   const std::array<double, terms> with_q{wq, wq * x, wq * y, wq * xx, wq * xy, wq * yy};
   for (std::size_t i = 0; i < products; ++i) moments[i] += of[i];
   for (std::size_t i = 0; i < terms; ++i) right[i] += with_q[i];
