@@ -95,7 +95,7 @@ DepthCellTask task_by_chance(Pcg32& random, Numbers& cells, std::int32_t planes)
   task.at = {cells.data() + random.below(100), apart};
   task.open = random.next() & 0xFFFF & (random.below(2) == 0 ? 0xFFFFU : random.next());
   task.least = static_cast<float>(random.below(6));
-  task.planes = planes;
+  task.planes = random.below(3) == 0 ? 0 : planes;
   task.noise = random.below(4) == 0 ? 0.0F : 1e-3F;
   task.noise_of_square = 4e-3F;
   task.pure_of_asked = 4;
@@ -113,6 +113,15 @@ DepthCellTask task_by_chance(Pcg32& random, Numbers& cells, std::int32_t planes)
 
 bool is_set(std::uint32_t bits, std::uint32_t i) {
   return (bits >> i & 1U) != 0;
+}
+
+/// Squared residuals from the cell's own best plane, below 0 where its readings do not settle one.
+double roughness(const DepthCell& cell) {
+  const auto number = [](float x) { return static_cast<double>(x); };
+  const double uu = number(cell.uu), uv = number(cell.uv), vv = number(cell.vv);
+  const double uq = number(cell.uq), vq = number(cell.vq), determinant = uu * vv - uv * uv;
+  if (determinant <= uu * vv / 64) return -1;
+  return number(cell.qq) - (uq * (uq * vv - vq * uv) + vq * (vq * uu - uq * uv)) / determinant;
 }
 
 /// Step by step, for cell i; margins of rounding left out by the caller.
@@ -139,6 +148,11 @@ std::uint16_t expected_label(const DepthCellTask& task, const Surfaces& surfaces
   }
   doubt = std::min(doubt, std::abs(best - static_cast<double>(task.pure_of_asked) * unit) / (unit + 1e-12));
   if (is_set(task.given, i) || best < static_cast<double>(task.pure_of_asked) * unit) return label;
+  if (task.planes == 0) {
+    const double limit = static_cast<double>(task.pure_of_asked) * unit;
+    doubt = std::min(doubt, std::abs(roughness(cell) - limit) / (unit + 1e-12));
+    return roughness(cell) < limit ? DepthCellPlanes::undecided : std::uint16_t{0};
+  }
   for (std::size_t k = 0; k < static_cast<std::size_t>(task.planes); ++k) {
     if (label != k + 1) offer(k);
   }

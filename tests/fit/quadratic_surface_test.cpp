@@ -150,3 +150,40 @@ TEST_CASE("the tangent of a bent plane touches it") {
     CHECK(bent.at(u + su, v + sv) - tangent.at(u + su, v + sv) == Approx(apart).margin(1e-13));
   }
 }
+
+TEST_CASE("the least cost of a common surface is a lower bound, and exact for a single sample") {
+  Pcg32 random(20, 1);
+  for (int turn = 0; turn < 200; ++turn) {
+    INFO("turn " << turn);
+    const std::vector<Sample> first = random_samples(random, 40);
+    std::vector<Sample> others = random_samples(random, turn % 2 == 0 ? 1 : 30);
+    const double off = support::uniform(random, -0.2, 0.2);
+    for (Sample& s : others) s.q += off;
+    QuadraticSums both = sums_of(first);
+    both.add(sums_of(others));
+    QuadraticFit one, own{}, common;
+    REQUIRE(fit_quadratic(sums_of(first), 0, one));
+    REQUIRE(fit_quadratic(both, 0, common));
+    if (others.size() > 1) REQUIRE(fit_quadratic(sums_of(others), 0, own));
+    const double cost = common.squares - one.squares - own.squares;
+    const double least = least_cost(one, sums_of(others));
+    CHECK(least <= cost * 1.000001 + 1e-9);
+    CHECK(least > 0);
+    if (others.size() == 1) CHECK(least == Approx(cost).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("what was added to sums and taken off again leaves what was there") {
+  Pcg32 random(21, 1);
+  const std::vector<Sample> first = random_samples(random, 30), second = random_samples(random, 20);
+  QuadraticSums sums = sums_of(first);
+  sums.add(sums_of(second));
+  sums.take_off(sums_of(second));
+  const QuadraticSums before = sums_of(first);
+  for (std::size_t i = 0; i < before.moments.size(); ++i)
+    CHECK(sums.moments[i] == Approx(before.moments[i]).margin(1e-9));
+  for (std::size_t i = 0; i < before.right.size(); ++i)
+    CHECK(sums.right[i] == Approx(before.right[i]).margin(1e-9));
+  CHECK(sums.n == Approx(before.n));
+  CHECK(sums.qq == Approx(before.qq));
+}
