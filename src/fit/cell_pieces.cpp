@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include "cell_pieces.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/lowest_bit.hpp"
 #include "four_labels.hpp"
 
 namespace straightedge::detail {
+namespace {
+
+// Longer ones are cut in parts.
+constexpr std::int32_t longest_run = 0xFFFF;
+
+}  // namespace
 
 std::int32_t CellPieces::root(std::int32_t run) const noexcept {
   while (at(run) >= 0) {
@@ -32,9 +39,13 @@ void CellPieces::find_runs(std::int32_t row) const noexcept {
   const std::int32_t last = row + size.width - 1;
   std::int32_t begin = row;
   const auto end_at = [&](std::int32_t end) noexcept {
-    length[static_cast<std::size_t>(begin)] = static_cast<std::uint16_t>(end - begin);
-    at(begin) = begin - end;
-    begin = end;
+    const std::int32_t first = begin;
+    for (; begin < end; begin += length[static_cast<std::size_t>(begin)]) {
+      const std::int32_t part = std::min(end - begin, longest_run);
+      length[static_cast<std::size_t>(begin)] = static_cast<std::uint16_t>(part);
+      at(begin) = -part;
+      if (begin > first) join(first, begin);
+    }
   };
   std::int32_t i = row;
   for (; i + 4 <= last; i += 4) {

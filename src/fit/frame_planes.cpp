@@ -70,7 +70,7 @@ void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::uint32_t first
   detail::QuadraticFit fit;
   for (std::uint16_t i = 0; i < count_; ++i) {
     if (becomes_[i] != i) continue;
-    const std::uint32_t first = std::max(i + 1U, first_new);
+    const std::uint32_t first = std::max<std::uint32_t>(i + 1U, first_new);
     if (first == count_ || !fitting.solve(sums_[i], fit)) continue;
     for (std::uint32_t j = first; j < count_; ++j) {
       if (becomes_[j] != j || fitting.are_far(sums_[i], fit, sums_[j])) continue;

@@ -53,6 +53,21 @@ std::vector<std::int32_t> flooded(const std::vector<std::uint16_t>& labels, Size
 
 }  // namespace
 
+TEST_CASE("rows of any length are one piece") {
+  const Size size{200000, 2};
+  const std::vector<std::uint16_t> labels(400000, 7);
+  std::vector<std::uint16_t> length(labels.size());
+  std::vector<std::int32_t> of_run(labels.size());
+  const detail::CellPieces pieces{size, labels, length, of_run};
+  pieces.find();
+  std::int32_t cells = 0;
+  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t, std::int32_t of_piece) {
+    CHECK(of_piece == 400000);
+    cells += end - begin;
+  });
+  CHECK(cells == 400000);
+}
+
 TEST_CASE("runs know the size of their piece, as flooding finds it") {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     INFO("seed " << seed);
