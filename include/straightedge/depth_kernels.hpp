@@ -44,6 +44,7 @@ struct DepthCellTask {
 
 /// A rectangle of pixels whose only plane is at + along x + down y, x and y from its corner.
 struct DepthBlock {
+  static constexpr std::int32_t widest = 256;
   DepthRows rows;
   std::int32_t left = 0, top = 0;  ///< of the corner
   std::int32_t width = 0, height = 0;
@@ -67,6 +68,16 @@ struct DepthChoice {
 /// Planes as DepthSurface (depth_cells.hpp), an array for each coefficient.
 struct DepthSurfaces {
   float *c = nullptr, *x = nullptr, *y = nullptr, *xx = nullptr, *xy = nullptr, *yy = nullptr;
+};
+
+/// Cells one after another, and what takes a plane's cell for wholly the plane's.
+struct DepthWholeCells {
+  static constexpr std::uint16_t mark = 0x4000, border = 0xFFFF;
+  DepthCellRows at;
+  std::int32_t cells = 0;
+  float readings = 0;  ///< all of a cell's pixels
+  /// Deviation of 1/z as in DepthChoice; the mean squared residual lies below `most` of its squares.
+  float noise = 0, noise_of_square = 0, most = 0;
 };
 
 struct DepthCellPlanes {
@@ -93,6 +104,14 @@ struct DepthKernels {
   /// Cells that are not open get no label.
   void (*choose_planes)(const DepthCellTask& task, const DepthSurfaces& surfaces,
                         DepthCellPlanes& planes) noexcept;
+
+  /// Adds DepthWholeCells::mark to the labels of cells that are wholly their plane's; 0 and `border` stay.
+  void (*mark_whole)(const DepthWholeCells& task, const DepthSurfaces& surfaces,
+                     std::uint16_t* labels) noexcept;
+  /// A row of pixels from a row of labels with such marks: label k becomes shown[k − 1] where the mark is,
+  /// and 0 elsewhere.
+  void (*spread_labels)(const std::uint16_t* cells, const std::uint16_t* shown, std::int32_t side,
+                        std::int32_t width, std::uint16_t* labels) noexcept;
 
   /// Readings within the gate get the label, all others 0 and leave the `sums`: row by row, those of a row
   /// summed first. The sums are those of InverseDepthMoments, in its order.

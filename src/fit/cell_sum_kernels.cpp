@@ -10,81 +10,57 @@ namespace {
 constexpr std::int32_t columns = lanes > 1 ? 64 : 32;
 constexpr std::int32_t band = 4;  // rows or columns that are summed before they meet others
 
-// As many floats and doubles at once as the registers hold of doubles.
-#if STRAIGHTEDGE_LANES > 1
-constexpr std::int32_t at_once = lanes / 2;
-using Floats [[gnu::vector_size(STRAIGHTEDGE_LANES * 2)]] = float;
-using Doubles [[gnu::vector_size(STRAIGHTEDGE_LANES * 4)]] = double;
-#else
-constexpr std::int32_t at_once = 1;
-using Floats = float;
-using Doubles = double;
-#endif
-
-inline Doubles in_doubles(const Floats& x) noexcept {
-#if STRAIGHTEDGE_LANES == 16
-  // One by one: GCC 12 turns this into one instruction, but not the builtin for vectors as long as these.
-  const auto at = [&](int i) noexcept { return static_cast<double>(x[i]); };
-  return Doubles{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
-#elif STRAIGHTEDGE_LANES > 1
-  return __builtin_convertvector(x, Doubles);
-#else
-  return static_cast<double>(x);
-#endif
-}
-
-inline Floats in_floats(const Doubles& x) noexcept {
-#if STRAIGHTEDGE_LANES > 1
-  return __builtin_convertvector(x, Floats);
-#else
-  return static_cast<float>(x);
-#endif
-}
-
 struct ColumnSums {
-  double q[columns], qq[columns];
-  double below[columns];  ///< row v counts side − v times
-  float seen[columns];    ///< 2^v for each reading
+  float near[columns];            ///< its cell's number that the readings are counted from
+  float q[columns], qq[columns];  ///< of what they are above it
+  float below[columns];           ///< row v counts side − v times
+  float seen[columns];            ///< 2^v for each reading
 
+  /// Some number near the readings of each cell, so that little is lost in sums of 32 bits: the reading in
+  /// the middle, or where there is none, what the cell before had.
+  template <std::int32_t side>
+  void begin(const float* first, std::ptrdiff_t stride, std::int32_t cells, float& last) noexcept {
+    const float* middle = first + side / 2 * stride + side / 2;
+    for (std::int32_t i = 0; i < cells; ++i) {
+      const float q_of_middle = middle[i * side];
+      last = q_of_middle > 0 ? q_of_middle : last;
+      for (std::int32_t k = 0; k < side; ++k) near[i * side + k] = last;
+    }
+  }
   /// Of the columns from x on.
   template <std::int32_t side>
   void sum(const float* first, std::ptrdiff_t stride, std::int32_t x) noexcept {
-    const Floats none{};
-    Floats reads = none, bit = none + 1.0F;
-    Doubles sum{}, sum_below{}, squares{};
-    for (std::int32_t v = 0; v < side; v += band) {
-      Doubles square[band];
-      for (std::int32_t i = 0; i < band; ++i) {
-        Floats read;
-        std::memcpy(&read, first + (v + i) * stride, sizeof read);
-        const auto good = read > none;
-        const Doubles reading = in_doubles(good ? read : none);
-        reads += good ? bit : none;
-        bit += bit;
-        sum += reading;
-        sum_below += sum;
-        square[i] = reading * reading;
-      }
-      squares += (square[0] + square[1]) + (square[2] + square[3]);
+    const Lanes none = all(0), from = load(near + x);
+    Lanes reads = none, bit = all(1), sum = none, sum_below = none, squares = none;
+    for (std::int32_t v = 0; v < side; ++v) {
+      const Lanes read = load(first + v * stride);
+      const auto good = read > none;
+      const Lanes above = good ? read - from : none;
+      reads += good ? bit : none;
+      bit += bit;
+      sum += above;
+      sum_below += sum;
+      squares += above * above;
     }
-    std::memcpy(q + x, &sum, sizeof sum);
-    std::memcpy(qq + x, &squares, sizeof squares);
-    std::memcpy(below + x, &sum_below, sizeof sum_below);
-    std::memcpy(seen + x, &reads, sizeof reads);
+    store(q + x, sum);
+    store(qq + x, squares);
+    store(below + x, sum_below);
+    store(seen + x, reads);
   }
   /// The first columns; those that are left over hold nothing.
   template <std::int32_t side>
   void sum_all(const float* first, std::ptrdiff_t stride, std::int32_t count) noexcept {
     std::int32_t x = 0;
-    for (; x + at_once <= count; x += at_once) sum<side>(first + x, stride, x);
-    float rest[side * at_once] = {};
-    for (; x < columns; x += at_once) {
+    for (; x + lanes <= count; x += lanes) sum<side>(first + x, stride, x);
+    float rest[side * lanes] = {};
+    for (std::int32_t i = count; i < columns; ++i) near[i] = 0;
+    for (; x < columns; x += lanes) {
       for (std::int32_t v = 0; v < side; ++v) {
-        for (std::int32_t i = 0; i < at_once; ++i) {
-          rest[v * at_once + i] = x + i < count ? first[v * stride + x + i] : 0.0F;
+        for (std::int32_t i = 0; i < lanes; ++i) {
+          rest[v * lanes + i] = x + i < count ? first[v * stride + x + i] : 0.0F;
         }
       }
-      sum<side>(rest, at_once, x);
+      sum<side>(rest, lanes, x);
     }
   }
 };
@@ -92,26 +68,22 @@ struct ColumnSums {
 /// Sums of four columns beside one another each.
 struct BandSums {
   static constexpr std::int32_t most = columns / band;
-  double q[most], uq[most], qq[most], below[most];
-  float seen[most];
+  float q[most], uq[most], qq[most], below[most], seen[most];
 
   explicit BandSums(const ColumnSums& of) noexcept {
     for (std::int32_t i = 0; i < most; ++i) {
-      const double* x = of.q + band * i;
+      const float* x = of.q + band * i;
       q[i] = (x[0] + x[1]) + (x[2] + x[3]);
       uq[i] = (x[1] + 2 * x[2]) + 3 * x[3];
     }
+    add_up(of.qq, qq);
+    add_up(of.below, below);
+    add_up(of.seen, seen);
+  }
+  static void add_up(const float* columns_of, float* __restrict sums) noexcept {
     for (std::int32_t i = 0; i < most; ++i) {
-      const double* x = of.qq + band * i;
-      qq[i] = (x[0] + x[1]) + (x[2] + x[3]);
-    }
-    for (std::int32_t i = 0; i < most; ++i) {
-      const double* x = of.below + band * i;
-      below[i] = (x[0] + x[1]) + (x[2] + x[3]);
-    }
-    for (std::int32_t i = 0; i < most; ++i) {
-      const float* x = of.seen + band * i;
-      seen[i] = (x[0] + x[1]) + (x[2] + x[3]);
+      const float* x = columns_of + band * i;
+      sums[i] = (x[0] + x[1]) + (x[2] + x[3]);
     }
   }
 };
@@ -151,25 +123,26 @@ constexpr Places places = make_places();
 /// Cells; u and v count from their corners.
 struct CellSums {
   static constexpr std::int32_t most = columns / band;
-  double q[most], uq[most], vq[most], qq[most];
-  double n[most], mean_u[most], mean_v[most];  ///< of the readings' places
-  double uu[most], uv[most], vv[most];         ///< sums of products of their deviations from these
+  float near[most];
+  float q[most], uq[most], vq[most], qq[most];  ///< of what the readings are above it
+  float n[most], mean_u[most], mean_v[most];    ///< of the readings' places
+  float uu[most], uv[most], vv[most];           ///< sums of products of their deviations from these
   float seen[most];
 
   template <std::int32_t side>
-  void join(const BandSums& of) noexcept {
+  void join(const ColumnSums& of_columns, const BandSums& of) noexcept {
     constexpr std::int32_t bands = side / band;
     for (std::int32_t i = 0; i < most / bands; ++i) {
-      double sum = 0, u_sum = 0, below = 0, squares = 0;
-      float reads = 0;
+      float sum = 0, u_sum = 0, below = 0, squares = 0, reads = 0;
       for (std::int32_t k = 0; k < bands; ++k) {
         const std::int32_t at = bands * i + k;
-        u_sum += (band * k) * of.q[at] + of.uq[at];
+        u_sum += static_cast<float>(band * k) * of.q[at] + of.uq[at];
         sum += of.q[at];
         below += of.below[at];
         squares += of.qq[at];
         reads += of.seen[at];
       }
+      near[i] = of_columns.near[side * i];
       q[i] = sum;
       uq[i] = u_sum;
       vq[i] = side * sum - below;
@@ -179,16 +152,16 @@ struct CellSums {
   }
   template <std::int32_t side>
   void count_places(const ColumnSums& of, std::int32_t count) noexcept {
-    constexpr double pixels = side * side, middle = 0.5 * (side - 1), spread = pixels * (pixels - 1) / 12;
+    constexpr float pixels = side * side, middle = 0.5F * (side - 1), spread = pixels * (pixels - 1) / 12;
     for (std::int32_t i = 0; i < most; ++i) {
       n[i] = pixels;
       mean_u[i] = mean_v[i] = middle;
       uu[i] = vv[i] = spread;
       uv[i] = 0;
     }
-    constexpr float whole = side * ((1 << side) - 1);
+    constexpr float all_seen = side * ((1 << side) - 1);
     for (std::int32_t i = 0; i < count; ++i) {
-      if (seen[i] != whole) count_some<side>(of.seen + i * side, i);
+      if (seen[i] != all_seen) count_some<side>(of.seen + i * side, i);
     }
   }
   template <std::int32_t side>
@@ -205,12 +178,13 @@ struct CellSums {
     }
     const std::int32_t of_n = Places::count(once), of_u = Places::count(along), of_v = Places::sum(once);
     const double readings = of_n > 0 ? of_n : 1, u = of_u / readings, v = of_v / readings;
-    n[i] = of_n;
-    mean_u[i] = u;
-    mean_v[i] = v;
-    uu[i] = (2 * Places::count(triangle) - of_u) - u * of_u;
-    uv[i] = Places::sum(along) - u * of_v;
-    vv[i] = Places::squares(once) - v * of_v;
+    const auto number = [](double x) noexcept { return static_cast<float>(x); };
+    n[i] = number(of_n);
+    mean_u[i] = number(u);
+    mean_v[i] = number(v);
+    uu[i] = number((2 * Places::count(triangle) - of_u) - u * of_u);
+    uv[i] = number(Places::sum(along) - u * of_v);
+    vv[i] = number(Places::squares(once) - v * of_v);
   }
 };
 
@@ -219,35 +193,31 @@ struct CellWriter {
   const DepthCellRows& out;
   std::int32_t count;
 
-  void put(std::ptrdiff_t kind, std::int32_t i, const Doubles& x) const noexcept {
-    const Floats rounded = in_floats(x);
+  void put(std::ptrdiff_t kind, std::int32_t i, const Lanes& x) const noexcept {
     float* to = out.first + kind * out.apart + i;
-    if (i + at_once <= count) {
-      std::memcpy(to, &rounded, sizeof rounded);
+    if (i + lanes <= count) {
+      store(to, x);
       return;
     }
-    float some[at_once];
-    std::memcpy(some, &rounded, sizeof rounded);
+    float some[lanes];
+    store(some, x);
     for (std::int32_t k = 0; i + k < count; ++k) to[k] = some[k];
-  }
-  static Doubles load(const double* from) noexcept {
-    Doubles x;
-    std::memcpy(&x, from, sizeof x);
-    return x;
   }
   /// The first cell's corner is at (left, top).
   void write(const CellSums& sums, std::int32_t side, double left, double top,
              std::uint8_t* counts) const noexcept {
-    double lefts[CellSums::most];
-    for (std::int32_t i = 0; i < CellSums::most; ++i) lefts[i] = left + side * i;
-    for (std::int32_t i = 0; i < count; i += at_once) {
-      const Doubles n = load(sums.n + i), one = Doubles{} + 1.0, readings = n > Doubles{} ? n : one;
-      const Doubles u = load(sums.mean_u + i), v = load(sums.mean_v + i);
-      const Doubles q = load(sums.q + i), mean_q = q / readings;
+    float lefts[CellSums::most];
+    for (std::int32_t i = 0; i < CellSums::most; ++i) lefts[i] = static_cast<float>(left + side * i);
+    const auto at_top = static_cast<float>(top);
+    for (std::int32_t i = 0; i < count; i += lanes) {
+      const Lanes n = load(sums.n + i), readings = n > all(0) ? n : all(1);
+      const Lanes u = load(sums.mean_u + i), v = load(sums.mean_v + i);
+      const Lanes q = load(sums.q + i), mean_q = q / readings;
+      const Lanes near = n > all(0) ? load(sums.near + i) : all(0);
       put(0, i, n);
       put(1, i, u + load(lefts + i));
-      put(2, i, v + top);
-      put(3, i, mean_q);
+      put(2, i, v + at_top);
+      put(3, i, near + mean_q);
       put(4, i, load(sums.uu + i));
       put(5, i, load(sums.uv + i));
       put(6, i, load(sums.vv + i));
@@ -256,15 +226,17 @@ struct CellWriter {
       put(9, i, load(sums.qq + i) - mean_q * q);
     }
     for (std::int32_t i = 0; i < count; ++i) {
-      counts[i] = static_cast<std::uint8_t>(sums.n[i] < 255 ? sums.n[i] : 255.0);
+      counts[i] = static_cast<std::uint8_t>(sums.n[i] < 255 ? sums.n[i] : 255.0F);
     }
   }
 };
 
 template <std::int32_t side>
-void sum_some(const DepthRows& corner, std::int32_t count, ColumnSums& of_columns, CellSums& sums) noexcept {
+void sum_some(const DepthRows& corner, std::int32_t count, float& near, ColumnSums& of_columns,
+              CellSums& sums) noexcept {
+  of_columns.begin<side>(corner.first, corner.stride, count, near);
   of_columns.sum_all<side>(corner.first, corner.stride, count * side);
-  sums.join<side>(BandSums(of_columns));
+  sums.join<side>(of_columns, BandSums(of_columns));
   sums.count_places<side>(of_columns, count);
 }
 
@@ -275,15 +247,16 @@ void build_cells(const DepthRows& corner, std::int32_t side, std::int32_t cells,
   const std::int32_t most = columns / side;
   ColumnSums of_columns;
   CellSums sums;
+  float near = 0;
   for (std::int32_t first = 0; first < cells; first += most) {
     const std::int32_t rest = cells - first, count = rest < most ? rest : most;
     const DepthRows pixels{corner.first + first * side, corner.stride};
     if (side == 4) {
-      sum_some<4>(pixels, count, of_columns, sums);
+      sum_some<4>(pixels, count, near, of_columns, sums);
     } else if (side == 8) {
-      sum_some<8>(pixels, count, of_columns, sums);
+      sum_some<8>(pixels, count, near, of_columns, sums);
     } else {
-      sum_some<16>(pixels, count, of_columns, sums);
+      sum_some<16>(pixels, count, near, of_columns, sums);
     }
     const DepthCellRows to{out.first + first, out.apart};
     CellWriter{to, count}.write(sums, side, left + side * first, top, counts + first);

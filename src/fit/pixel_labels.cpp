@@ -15,8 +15,8 @@
 namespace straightedge::detail {
 namespace {
 
-// Squares, or cells, that are filled at once: so few that a bent plane is flat over them.
-constexpr std::int32_t longest_run = 4;
+// Pixels of a row that are filled at once: so few that a bent plane is flat over them.
+constexpr std::int32_t longest_run = 128;
 
 // A cell's mean squared residual, in variances of the noise.
 constexpr float fits_well = 1.5F;
@@ -24,8 +24,13 @@ constexpr float far_away = 25;
 
 // What a cell is, in place of the one plane that it and all cells around have.
 constexpr std::uint16_t none = 0;  // no plane anywhere around
-constexpr std::uint16_t border = 0xFFFF;
-constexpr std::uint16_t done = 0xFFFE;
+constexpr std::uint16_t border = DepthWholeCells::border;
+// Beside that plane: all of the cell is its.
+constexpr std::uint16_t whole = DepthWholeCells::mark;
+
+constexpr bool is_whole(std::uint16_t state) noexcept {
+  return (state & whole) != 0 && state != border;
+}
 
 struct Pixels {
   const PixelLabeller& work;
@@ -35,7 +40,7 @@ struct Pixels {
   /// Pixels with one and the same plane around: each within the gate is its. The plane is taken for flat.
   void fill(std::int32_t left, std::int32_t top, Size size, const InverseDepthMoments& sum,
             std::uint16_t only) const noexcept {
-    if (work.shown[only - 1U] == 0) return clear(left, top, size);
+    if (work.shown[only - 1U] == 0) return;
     const InverseDepthPlane plane = work.planes[only - 1U].tangent(sum.u / sum.n, sum.v / sum.n);
     const double limit = work.gate.sigmas * work.gate.inverse_noise(sum.q / sum.n);
     const ImageView<const float>& q = work.inverse_depth;
@@ -53,118 +58,168 @@ struct Pixels {
     work.kernels.label_block(block, labels.row(top) + left, elements_apart(labels),
                              numbers_of(moments.subspan(only - 1U)));
   }
-  void clear(std::int32_t left, std::int32_t top, Size size) const noexcept {
-    const std::int32_t right = std::min(left + size.width, labels.width);
-    for (std::int32_t y = top; y < std::min(top + size.height, labels.height); ++y) {
-      std::fill(labels.row(y) + left, labels.row(y) + right, std::uint16_t{0});
-    }
-  }
 };
 
-/// Rows of cells that make squares of the coarser level `doublings` above.
-struct Band {
-  const Pixels& pixels;
-  std::span<std::uint16_t> around;  ///< of all cells
-  int doublings;
-  std::int32_t top, bottom;  ///< rows of cells
+/// What the smallest cells are, row by row.
+struct States {
+  const PixelLabeller& work;
+  std::span<std::uint16_t> all;
 
-  std::int32_t cells_across() const noexcept { return pixels.work.cells.size(finest()).width; }
-  int finest() const noexcept { return pixels.work.cells.finest(); }
+  int finest() const noexcept { return work.cells.finest(); }
+  Size size() const noexcept { return work.cells.size(finest()); }
   std::uint16_t* row(std::int32_t y) const noexcept {
-    return around.data() + static_cast<std::ptrdiff_t>(y) * cells_across();
+    return all.data() + static_cast<std::ptrdiff_t>(y) * size().width;
   }
-  /// The only plane of all cells of square X and around them, or 0.
-  std::uint16_t only_plane(std::int32_t X) const noexcept {
-    const std::int32_t left = X << doublings, right = std::min(left + (1 << doublings), cells_across());
-    const std::uint16_t first = row(top)[left];
-    for (std::int32_t y = top; y < bottom; ++y) {
-      if (right - left == 4 && four(row(y) + left) == first * four_ones) continue;
-      for (std::int32_t x = left; x < right; ++x) {
-        if (row(y)[x] != first) return 0;
-      }
+  /// The one plane around each cell, if it is the only one.
+  void look_around(std::int32_t y) const noexcept {
+    const std::uint16_t* here = work.cell_labels.data() + (row(y) - all.data());
+    work.kernels.look_around(y > 0 ? here - size().width : here, here,
+                             y + 1 < size().height ? here + size().width : here, size().width, row(y));
+  }
+  /// Border cells that are clear take their plane; then cells that are whole are marked.
+  void settle(std::int32_t y) const noexcept {
+    const std::ptrdiff_t first = row(y) - all.data();
+    for (std::int32_t x = 0; x < size().width; ++x) {
+      if (row(y)[x] == border && is_clear(x, y))
+        row(y)[x] = work.cell_labels[static_cast<std::size_t>(first + x)];
     }
-    return first < done ? first : none;
+    DepthWholeCells task{work.cells.rows(finest(), static_cast<std::size_t>(first)), size().width};
+    const std::int32_t side = DepthCells::side_of(finest());
+    task.readings = static_cast<float>(side * side);
+    // As in PlaneGate::inverse_noise.
+    const bool fixed = work.gate.fixed_m > 0;
+    task.noise = fixed ? 0.0F : static_cast<float>(work.gate.inverse_sigma);
+    task.noise_of_square =
+        static_cast<float>(fixed ? work.gate.fixed_m / work.gate.sigmas : work.gate.floor_m);
+    task.most = fits_well;
+    work.kernels.mark_whole(task, work.surfaces, row(y));
   }
-  /// Fills runs of squares.
-  void fill_squares() const noexcept {
-    const int level = finest() + doublings;
-    const std::int32_t side = DepthCells::side_of(level), width = pixels.work.cells.size(level).width;
-    const auto first = static_cast<std::size_t>(top >> doublings) * static_cast<std::size_t>(width);
-    const DepthCells& cells = pixels.work.cells;
-    const float* readings = cells.rows(level, first).first;
-    for (std::int32_t X = 0; X < width;) {
-      const std::uint16_t only = only_plane(X);
-      std::int32_t end = X + 1;
-      if (only != 0 && readings[X] > 0) {
-        InverseDepthMoments sum = cells.moments(level, first + static_cast<std::size_t>(X));
-        for (; end < width && end - X < longest_run && only_plane(end) == only; ++end) {
-          sum.add(cells.moments(level, first + static_cast<std::size_t>(end)));
-        }
-        pixels.fill(X * side, top * DepthCells::side_of(finest()), {(end - X) * side, side}, sum, only);
-        mark_done(X << doublings, std::min(end << doublings, cells_across()));
-      }
-      X = end;
-    }
-  }
-  /// Whether the cell is its own plane's, without a doubt: it fits well, and the others around do not at all.
+
+ private:
+  /// Whether the cell is its own plane's, without a doubt: it fits well, and each of the others around does
+  /// not at all, or lies on one side of its own all over the cell.
   bool is_clear(std::int32_t x, std::int32_t y) const noexcept {
-    const PixelLabeller& work = pixels.work;
-    const Size size = work.cells.size(finest());
     const auto place =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(size().width) + static_cast<std::size_t>(x);
     const std::uint16_t own = work.cell_labels[place];
     if (own == 0) return false;
     const DepthCell cell = work.cells.at(finest(), place);
     const auto noise = static_cast<float>(work.gate.inverse_noise(static_cast<double>(cell.q)));
     const float unit = cell.n * (noise * noise);
-    if (!(squared_residuals(cell, surface_of(work.surfaces, own - 1U)) < fits_well * unit)) return false;
-    const LabelsAround near(size, work.cell_labels, x, y);
+    const DepthSurface surface = surface_of(work.surfaces, own - 1U);
+    if (!(squared_residuals(cell, surface) < fits_well * unit)) return false;
+    const LabelsAround near(size(), work.cell_labels, x, y);
     for (std::size_t k = 0; k < near.count; ++k) {
       if (near.labels[k] == own) continue;
       const DepthSurface other = surface_of(work.surfaces, near.labels[k] - 1U);
-      if (!(squared_residuals(cell, other) > far_away * unit)) return false;
+      if (!(squared_residuals(cell, other) > far_away * unit) && cross(surface, other, x, y)) return false;
     }
     return true;
   }
-  /// Border cells that are clear take their plane.
-  void clear_borders(std::int32_t y) const noexcept {
-    const std::uint16_t* own =
-        pixels.work.cell_labels.data() + static_cast<std::ptrdiff_t>(y) * cells_across();
-    for (std::int32_t x = 0; x < cells_across(); ++x) {
-      if (row(y)[x] == border && is_clear(x, y)) row(y)[x] = own[x];
+  /// Whether two surfaces change sides within a cell, as its corners tell.
+  bool cross(const DepthSurface& a, const DepthSurface& b, std::int32_t x, std::int32_t y) const noexcept {
+    const auto side = static_cast<float>(DepthCells::side_of(finest()));
+    const float left = static_cast<float>(x) * side - static_cast<float>(work.cells.middle_u()),
+                top = static_cast<float>(y) * side - static_cast<float>(work.cells.middle_v());
+    int nearer = 0;
+    for (const float u : {left, left + (side - 1)}) {
+      for (const float v : {top, top + (side - 1)}) nearer += value_at(a, u, v) > value_at(b, u, v) ? 1 : 0;
+    }
+    return nearer != 0 && nearer != 4;
+  }
+};
+
+/// The sums of the cells that are whole, in squares as large as they come.
+struct WholeSums {
+  const States& states;
+  std::span<InverseDepthMoments> moments;
+
+  /// Adds square (x, y) of `doublings` levels above the finest if it is all of one plane, and is not looked
+  /// at any more then.
+  bool add(std::int32_t x, std::int32_t y, int doublings) const noexcept {
+    const Size size = states.size();
+    const std::int32_t left = x << doublings, right = std::min((x + 1) << doublings, size.width),
+                       top = y << doublings, bottom = std::min((y + 1) << doublings, size.height);
+    const std::uint16_t first = states.row(top)[left];
+    if (!is_whole(first)) return false;
+    for (std::int32_t j = top; j < bottom; ++j) {
+      const std::uint16_t* row = states.row(j);
+      if (right - left == 4) {
+        if (four(row + left) != first * four_ones) return false;
+        continue;
+      }
+      for (std::int32_t i = left; i < right; ++i) {
+        if (row[i] != first) return false;
+      }
+    }
+    const int level = states.finest() + doublings;
+    const DepthCells& cells = states.work.cells;
+    const auto plane = static_cast<std::size_t>(first & ~unsigned{whole}) - 1;
+    if (states.work.shown[plane] != 0) {
+      moments[plane].add(cells.moments(
+          level, static_cast<std::size_t>(y) * static_cast<std::size_t>(cells.size(level).width) +
+                     static_cast<std::size_t>(x)));
+    }
+    return true;
+  }
+  void add_all() const noexcept {
+    const int most = std::min(2, DepthCells::levels - 1 - states.finest());
+    const Size size = states.work.cells.size(states.finest() + most);
+    for (std::int32_t y = 0; y < size.height; ++y) {
+      for (std::int32_t x = 0; x < size.width; ++x) {
+        if (!add(x, y, most)) add_parts(x, y, most - 1);
+      }
     }
   }
-  /// What squares left over.
-  void label_row(std::int32_t y, PixelChoice& choice) const noexcept {
-    const std::int32_t side = DepthCells::side_of(finest()), width = cells_across();
-    const std::uint16_t* of = row(y);
+  void add_parts(std::int32_t X, std::int32_t Y, int doublings) const noexcept {
+    const Size size = states.work.cells.size(states.finest() + doublings), smallest = states.size();
+    for (std::int32_t y = 2 * Y; y < std::min(2 * Y + 2, size.height); ++y) {
+      for (std::int32_t x = 2 * X; x < std::min(2 * X + 2, size.width); ++x) {
+        if (add(x, y, doublings) || doublings == 0) continue;
+        for (std::int32_t j = 2 * y; j < std::min(2 * y + 2, smallest.height); ++j) {
+          for (std::int32_t i = 2 * x; i < std::min(2 * x + 2, smallest.width); ++i) add(i, j, 0);
+        }
+      }
+    }
+  }
+};
+
+/// A row of smallest cells.
+struct CellRow {
+  const Pixels& pixels;
+  const States& states;
+  std::int32_t y;
+
+  /// Whole cells give all of their pixels their label, the others' get none.
+  void spread() const noexcept {
+    const std::int32_t side = DepthCells::side_of(states.finest()), top = y * side;
+    const ImageView<std::uint16_t>& labels = pixels.labels;
+    std::uint16_t* out = labels.row(top);
+    pixels.work.kernels.spread_labels(states.row(y), pixels.work.shown.data(), side, labels.width, out);
+    for (std::int32_t j = top + 1; j < std::min(top + side, labels.height); ++j) {
+      std::copy(out, out + labels.width, labels.row(j));
+    }
+  }
+  /// The pixels of cells that are not.
+  void label_rest(PixelChoice& choice) const noexcept {
     const DepthCells& cells = pixels.work.cells;
+    const std::int32_t side = DepthCells::side_of(states.finest()), width = states.size().width;
+    const std::uint16_t* of = states.row(y);
     const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-    const float* readings = cells.rows(finest(), first).first;
-    const auto is_empty = [&](std::int32_t x) noexcept {
-      return of[x] == none || (of[x] != done && !(readings[x] > 0));
-    };
+    const float* readings = cells.rows(states.finest(), first).first;
     for (std::int32_t x = 0; x < width;) {
       std::int32_t end = x + 1;
-      if (is_empty(x)) {
-        while (end < width && is_empty(end)) ++end;
-        pixels.clear(x * side, y * side, {(end - x) * side, side});
-      } else if (of[x] == border) {
+      if (of[x] == border) {
         choice.label_cell(x, y);
-      } else if (of[x] != done) {
-        InverseDepthMoments sum = cells.moments(finest(), first + static_cast<std::size_t>(x));
-        for (; end < width && end - x < longest_run && of[end] == of[x]; ++end) {
-          sum.add(cells.moments(finest(), first + static_cast<std::size_t>(end)));
+      } else if (of[x] != none && !is_whole(of[x]) && readings[x] > 0) {
+        InverseDepthMoments sum = cells.moments(states.finest(), first + static_cast<std::size_t>(x));
+        for (; end < width && (end - x) * side < longest_run && of[end] == of[x]; ++end) {
+          sum.add(cells.moments(states.finest(), first + static_cast<std::size_t>(end)));
         }
         pixels.fill(x * side, y * side, {(end - x) * side, side}, sum, of[x]);
       }
       x = end;
     }
-  }
-
- private:
-  void mark_done(std::int32_t left, std::int32_t right) const noexcept {
-    for (std::int32_t y = top; y < bottom; ++y) std::fill(row(y) + left, row(y) + right, done);
   }
 };
 
@@ -206,24 +261,18 @@ void PixelLabeller::label(ImageView<std::uint16_t> labels, std::span<InverseDept
   for (InverseDepthMoments& m : moments) m = {};
   for (std::size_t k = 0; k < planes.size(); ++k) shown[k] = static_cast<std::uint16_t>(k + 1);
   const Pixels pixels{*this, labels, moments};
+  const States states{*this, scratch};
   PixelChoice choice(*this, labels, moments);
   fill_surfaces(planes, cells, surfaces);
-  const Size size = cells.size(cells.finest());
-  for (std::int32_t y = 0; y < size.height; ++y) {
-    const std::ptrdiff_t width = size.width, first = y * width;
-    const std::uint16_t* here = cell_labels.data() + first;
-    kernels.look_around(y > 0 ? here - width : here, here, y + 1 < size.height ? here + width : here,
-                        size.width, scratch.data() + first);
-  }
+  const std::int32_t height = states.size().height;
+  for (std::int32_t y = 0; y < height; ++y) states.look_around(y);
   if (some_are_small()) find_shown(scratch, moments);
-  const int doublings = std::min(2, DepthCells::levels - 1 - cells.finest());
-  for (std::int32_t top = 0; top < size.height; top += 1 << doublings) {
-    const Band band{pixels, scratch, doublings, top, std::min(top + (1 << doublings), size.height)};
-    band.fill_squares();
-    for (std::int32_t y = top; y < band.bottom; ++y) {
-      band.clear_borders(y);
-      band.label_row(y, choice);
-    }
+  for (std::int32_t y = 0; y < height; ++y) states.settle(y);
+  WholeSums{states, moments}.add_all();
+  for (std::int32_t y = 0; y < height; ++y) {
+    const CellRow row{pixels, states, y};
+    row.spread();
+    row.label_rest(choice);
   }
 }
 

@@ -14,10 +14,10 @@ struct Missed {
   __m256d sums = _mm256_setzero_pd();  ///< of a reading times 1, its column, its row, itself
 
   /// Bit i: the one i columns right of `column`, q[i].
-  void add(std::uint64_t some, const float* q, std::int32_t column, double v) noexcept {
+  void add(std::uint32_t some, const float* q, std::int32_t column, double v) noexcept {
     const __m256d by = _mm256_set_pd(0, v, 0, 1);
     for (; some != 0; some &= some - 1) {
-      const std::int32_t i = __builtin_ctzll(some);
+      const std::int32_t i = __builtin_ctz(some);
       const std::int64_t at = column + i;
       const __m256d reading = _mm256_set1_pd(static_cast<double>(q[i]));
       const __m256d placed = _mm256_blend_pd(by, _mm256_set1_pd(static_cast<double>(at)), 2);
@@ -53,107 +53,109 @@ struct Sums {
   }
 };
 
+/// Multiples of the slope, for the columns of a block.
+struct Slopes {
+  alignas(64) float along[DepthBlock::widest];
+
+  Slopes(float slope, std::int32_t width) noexcept {
+    for (std::int32_t first = 0; first < width; first += 16) {
+      for (std::int32_t x = first; x < first + 16; ++x) along[x] = slope * static_cast<float>(x);
+    }
+  }
+};
+
 #if defined(__AVX512BW__)
-constexpr std::int32_t at_once = 16;
+constexpr std::int32_t at_once = 32;
 
 struct Look {
-  __m512 slope, limit, least, columns, first{};
+  __m512 limit, first{};
   __m512i label;
 
   explicit Look(const DepthBlock& block) noexcept
-      : slope(_mm512_set1_ps(static_cast<float>(block.along))),
-        limit(_mm512_set1_ps(block.limit)),
-        least(_mm512_set1_ps(-block.limit)),
-        columns(_mm512_set_ps(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0)),
-        label(_mm512_set1_epi32(block.label)) {}
-  /// The plane is `at` where columns are counted from.
+      : limit(_mm512_set1_ps(block.limit)),
+        label(_mm512_set1_epi16(static_cast<std::int16_t>(block.label))) {}
+  /// The plane is `at` in column 0.
   void begin(float at) noexcept { first = _mm512_set1_ps(at); }
-  /// Labels pixels, `x` the first one's column; bits of those that are missed.
-  std::uint32_t all(const float* q, float x, std::uint16_t* labels) const noexcept {
-    const __m512 reading = _mm512_loadu_ps(q);
-    const __mmask16 reads = some_of(reading), near = of_plane(reading, reads, x);
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(labels), labels_where(near));
-    return static_cast<std::uint32_t>(reads) & ~static_cast<std::uint32_t>(near);
+  /// Labels pixels; bits of those that are missed.
+  std::uint32_t all(const float* q, const float* along, std::uint16_t* labels) const noexcept {
+    const Half left = look(_mm512_loadu_ps(q), along), right = look(_mm512_loadu_ps(q + 16), along + 16);
+    const __mmask32 near = _mm512_kunpackw(right.near, left.near);
+    _mm512_storeu_si512(labels, _mm512_maskz_mov_epi16(near, label));
+    return _cvtmask32_u32(_kandn_mask32(near, _mm512_kunpackw(right.reads, left.reads)));
   }
   /// The same for fewer.
-  std::uint32_t first_of(const float* q, float x, std::int32_t count, std::uint16_t* labels) const noexcept {
-    const auto some = static_cast<__mmask16>((1U << static_cast<std::uint32_t>(count)) - 1U);
-    const __m512 reading = _mm512_maskz_loadu_ps(some, q);
-    const __mmask16 reads = some_of(reading), near = of_plane(reading, reads, x);
-    _mm256_mask_storeu_epi16(labels, some, labels_where(near));
-    return static_cast<std::uint32_t>(reads) & ~static_cast<std::uint32_t>(near);
+  std::uint32_t first_of(const float* q, const float* along, std::int32_t count,
+                         std::uint16_t* labels) const noexcept {
+    const auto some = static_cast<__mmask32>((1ULL << static_cast<std::uint32_t>(count)) - 1U);
+    const Half left = look(_mm512_maskz_loadu_ps(static_cast<__mmask16>(some), q), along),
+               right = look(_mm512_maskz_loadu_ps(static_cast<__mmask16>(some >> 16U), q + 16), along + 16);
+    const __mmask32 near = _mm512_kunpackw(right.near, left.near);
+    _mm512_mask_storeu_epi16(labels, some, _mm512_maskz_mov_epi16(near, label));
+    return _cvtmask32_u32(_kandn_mask32(near, _mm512_kunpackw(right.reads, left.reads)));
   }
 
  private:
-  static __mmask16 some_of(__m512 reading) noexcept {
-    return _mm512_cmp_ps_mask(reading, _mm512_setzero_ps(), _CMP_GT_OQ);
-  }
-  __mmask16 of_plane(__m512 reading, __mmask16 reads, float x) const noexcept {
-    const __m512 column = _mm512_add_ps(columns, _mm512_set1_ps(x));
-    const __m512 r = _mm512_sub_ps(reading, _mm512_add_ps(first, _mm512_mul_ps(slope, column)));
-    const __mmask16 below = _mm512_mask_cmp_ps_mask(reads, r, limit, _CMP_LT_OQ);
-    return _mm512_mask_cmp_ps_mask(below, r, least, _CMP_GT_OQ);
-  }
-  __m256i labels_where(__mmask16 near) const noexcept {
-    return _mm512_cvtepi32_epi16(_mm512_maskz_mov_epi32(near, label));
+  struct Half {
+    __mmask16 reads, near;
+  };
+  Half look(__m512 reading, const float* along) const noexcept {
+    const __m512 r = _mm512_sub_ps(reading, _mm512_add_ps(first, _mm512_load_ps(along)));
+    const __mmask16 reads = _mm512_cmp_ps_mask(reading, _mm512_setzero_ps(), _CMP_GT_OQ);
+    return {reads, _mm512_mask_cmp_ps_mask(reads, _mm512_abs_ps(r), limit, _CMP_LT_OQ)};
   }
 };
 #else
-constexpr std::int32_t at_once = 8;
+constexpr std::int32_t at_once = 16;
 
 struct Look {
-  __m256 slope, limit, least, columns, first{};
+  __m256 limit, first{};
   __m256i label;
 
   explicit Look(const DepthBlock& block) noexcept
-      : slope(_mm256_set1_ps(static_cast<float>(block.along))),
-        limit(_mm256_set1_ps(block.limit)),
-        least(_mm256_set1_ps(-block.limit)),
-        columns(_mm256_set_ps(7, 6, 5, 4, 3, 2, 1, 0)),
-        label(_mm256_set1_epi32(block.label)) {}
-  /// The plane is `at` where columns are counted from.
+      : limit(_mm256_set1_ps(block.limit)),
+        label(_mm256_set1_epi16(static_cast<std::int16_t>(block.label))) {}
+  /// The plane is `at` in column 0.
   void begin(float at) noexcept { first = _mm256_set1_ps(at); }
-  /// Labels pixels, `x` the first one's column; bits of those that are missed.
-  std::uint32_t all(const float* q, float x, std::uint16_t* labels) const noexcept {
-    const __m256 reading = _mm256_loadu_ps(q);
-    const __m256 column = _mm256_add_ps(columns, _mm256_set1_ps(x));
-    const __m256 r = _mm256_sub_ps(reading, _mm256_add_ps(first, _mm256_mul_ps(slope, column)));
-    const __m256 reads = _mm256_cmp_ps(reading, _mm256_setzero_ps(), _CMP_GT_OQ);
-    const __m256 inside =
-        _mm256_and_ps(_mm256_cmp_ps(r, limit, _CMP_LT_OQ), _mm256_cmp_ps(r, least, _CMP_GT_OQ));
-    const __m256i found = _mm256_and_si256(_mm256_castps_si256(_mm256_and_ps(inside, reads)), label);
-    const __m128i narrow =
-        _mm_packus_epi32(_mm256_castsi256_si128(found), _mm256_extracti128_si256(found, 1));
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(labels), narrow);
-    return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_andnot_ps(inside, reads)));
+  /// Labels pixels; bits of those that are missed.
+  std::uint32_t all(const float* q, const float* along, std::uint16_t* labels) const noexcept {
+    const Half left = look(q, along), right = look(q + 8, along + 8);
+    const __m256i near = packed(left.near, right.near);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(labels), _mm256_and_si256(near, label));
+    return bits_of(left.missed) | bits_of(right.missed) << 8U;
   }
   /// The same for fewer.
-  std::uint32_t first_of(const float* q, float x, std::int32_t count, std::uint16_t* labels) const noexcept {
+  std::uint32_t first_of(const float* q, const float* along, std::int32_t count,
+                         std::uint16_t* labels) const noexcept {
     float readings[at_once] = {};
     std::uint16_t found[at_once];
     for (std::int32_t i = 0; i < count; ++i) readings[i] = q[i];
-    const std::uint32_t missed = all(readings, x, found);
+    const std::uint32_t missed = all(readings, along, found);
     for (std::int32_t i = 0; i < count; ++i) labels[i] = found[i];
     return missed;
   }
+
+ private:
+  struct Half {
+    __m256 near, missed;
+  };
+  Half look(const float* q, const float* along) const noexcept {
+    const __m256 reading = _mm256_loadu_ps(q);
+    const __m256 r = _mm256_sub_ps(reading, _mm256_add_ps(first, _mm256_load_ps(along)));
+    const __m256 size = _mm256_andnot_ps(_mm256_set1_ps(-0.0F), r);
+    const __m256 reads = _mm256_cmp_ps(reading, _mm256_setzero_ps(), _CMP_GT_OQ);
+    const __m256 inside = _mm256_cmp_ps(size, limit, _CMP_LT_OQ);
+    return {_mm256_and_ps(inside, reads), _mm256_andnot_ps(inside, reads)};
+  }
+  static std::uint32_t bits_of(__m256 marks) noexcept {
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(marks));
+  }
+  /// Sixteen marks of 16 bits.
+  static __m256i packed(__m256 left, __m256 right) noexcept {
+    const __m256i both = _mm256_packs_epi32(_mm256_castps_si256(left), _mm256_castps_si256(right));
+    return _mm256_permute4x64_epi64(both, 0xD8);
+  }
 };
 #endif
-
-constexpr std::int32_t bits = 64;
-
-/// Labels up to 64 pixels from column `left` on; bits of those that are missed.
-std::uint64_t label_some(const Look& look, const float* q, std::int32_t left, std::int32_t count,
-                         std::uint16_t* labels) noexcept {
-  std::uint64_t missed = 0;
-  std::int32_t x = 0;
-  for (; x + at_once <= count; x += at_once) {
-    missed |= std::uint64_t{look.all(q + x, static_cast<float>(left + x), labels + x)} << x;
-  }
-  if (x < count) {
-    missed |= std::uint64_t{look.first_of(q + x, static_cast<float>(left + x), count - x, labels + x)} << x;
-  }
-  return missed;
-}
 
 }  // namespace
 
@@ -162,16 +164,22 @@ void label_block(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t 
   // Labels might be the block, for all the compiler knows.
   const DepthBlock b = block;
   Look look(b);
+  const Slopes slopes(static_cast<float>(b.along), b.width);
+  const std::int32_t whole = b.width / at_once * at_once;
   Sums left(sums);
   const float* q = b.rows.first;
   for (std::int32_t y = 0; y < b.height; ++y, labels += stride, q += b.rows.stride) {
     look.begin(static_cast<float>(b.at + b.down * y));
     Missed missed;
     const double v = b.top + y;
-    for (std::int32_t x = 0; x < b.width; x += bits) {
-      const std::int32_t count = b.width - x < bits ? b.width - x : bits;
-      const std::uint64_t some = label_some(look, q + x, x, count, labels + x);
+    for (std::int32_t x = 0; x < whole; x += at_once) {
+      const std::uint32_t some = look.all(q + x, slopes.along + x, labels + x);
       if (some != 0) missed.add(some, q + x, b.left + x, v);
+    }
+    if (whole < b.width) {
+      const std::uint32_t some =
+          look.first_of(q + whole, slopes.along + whole, b.width - whole, labels + whole);
+      if (some != 0) missed.add(some, q + whole, b.left + whole, v);
     }
     if (missed.n > 0) left.subtract(missed, v);
   }

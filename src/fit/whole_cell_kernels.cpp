@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "pixel_kernels.hpp"
+
+namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
+namespace {
+
+constexpr std::int32_t at_once = 16;
+
+/// Some cells and the planes that they have: the first one where they have none.
+struct LabelledCells {
+  const float* first;
+  std::ptrdiff_t apart;
+  std::int32_t plane[at_once];
+  float squares[at_once];
+
+  LabelledCells(const DepthCellRows& at, std::int32_t place) noexcept
+      : first(at.first + place), apart(at.apart) {}
+  const float* row(std::ptrdiff_t kind) const noexcept { return first + kind * apart; }
+
+  /// Squared residuals of all readings, as squared_residuals in depth_cells_cell.hpp.
+  void find_squares(const DepthSurfaces& s, std::int32_t count) noexcept {
+    const float *n = row(0), *u = row(1), *v = row(2), *q = row(3), *uu = row(4), *uv = row(5), *vv = row(6),
+                *uq = row(7), *vq = row(8), *qq = row(9);
+    for (std::int32_t i = 0; i < count; ++i) {
+      const std::int32_t k = plane[i];
+      const float xx = s.xx[k], xy = s.xy[k], yy = s.yy[k];
+      const float a = (s.x[k] + 2 * xx * u[i]) + xy * v[i], b = (s.y[k] + xy * u[i]) + 2 * yy * v[i];
+      const float bend = xx * u[i] * u[i] + xy * u[i] * v[i] + yy * v[i] * v[i];
+      const float r = q[i] - ((s.c[k] + s.x[k] * u[i] + s.y[k] * v[i]) + bend);
+      const float mixed = a * uq[i] + b * vq[i];
+      const float square = a * (a * uu[i] + 2 * b * uv[i]) + b * b * vv[i];
+      squares[i] = n[i] * r * r + ((qq[i] - 2 * mixed) + square);
+    }
+  }
+};
+
+}  // namespace
+
+void mark_whole(const DepthWholeCells& task, const DepthSurfaces& surfaces, std::uint16_t* labels) noexcept {
+  for (std::int32_t first = 0; first < task.cells; first += at_once) {
+    const std::int32_t left = task.cells - first, count = left < at_once ? left : at_once;
+    LabelledCells cells(task.at, first);
+    std::uint16_t* of = labels + first;
+    std::int32_t some = 0;
+    for (std::int32_t i = 0; i < count; ++i) {
+      const bool has_plane = (of[i] != 0) & (of[i] != DepthWholeCells::border);
+      cells.plane[i] = has_plane ? of[i] - 1 : 0;
+      some |= has_plane ? 1 : 0;
+    }
+    if (some == 0) continue;
+    cells.find_squares(surfaces, count);
+    const float *n = cells.row(0), *q = cells.row(3);
+    for (std::int32_t i = 0; i < count; ++i) {
+      const float of_square = task.noise_of_square * (q[i] * q[i]);
+      const float noise = of_square > task.noise ? of_square : task.noise;
+      const bool fits = (cells.squares[i] < task.most * (n[i] * (noise * noise))) & (n[i] == task.readings);
+      const bool has_plane = (of[i] != 0) & (of[i] != DepthWholeCells::border);
+      of[i] = static_cast<std::uint16_t>(of[i] | ((fits & has_plane) ? DepthWholeCells::mark : 0));
+    }
+  }
+}
+
+void spread_labels(const std::uint16_t* cells, const std::uint16_t* shown, std::int32_t side,
+                   std::int32_t width, std::uint16_t* __restrict labels) noexcept {
+  const auto label_of = [shown](std::uint16_t state) noexcept {
+    const bool is_whole = state != DepthWholeCells::border && (state & DepthWholeCells::mark) != 0;
+    return is_whole ? shown[(state & ~DepthWholeCells::mark) - 1] : std::uint16_t{0};
+  };
+  std::int32_t x = 0;
+  for (; side == 8 && x + 8 <= width; x += 8) {
+    const std::uint16_t label = label_of(*cells++);
+    for (std::int32_t i = 0; i < 8; ++i) labels[x + i] = label;
+  }
+  for (; side == 4 && x + 4 <= width; x += 4) {
+    const std::uint16_t label = label_of(*cells++);
+    for (std::int32_t i = 0; i < 4; ++i) labels[x + i] = label;
+  }
+  for (; x < width; x += side) {
+    const std::uint16_t label = label_of(*cells++);
+    for (std::int32_t i = x; i < x + side && i < width; ++i) labels[i] = label;
+  }
+}
+
+}  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
