@@ -8,53 +8,86 @@ namespace {
 
 // That are summed at once: their sums lie on the stack, which is small where one lane is all there is.
 constexpr std::int32_t columns = lanes > 1 ? 64 : 32;
-constexpr std::int32_t band = 4;  // rows or columns that are summed before they meet others
+
+/// Number k counts for `side` lanes, then the next one.
+template <std::int32_t side>
+Lanes spread(const float* numbers) noexcept {
+#if STRAIGHTEDGE_LANES > 1
+  constexpr float each[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  const Lanes lane = load(each);
+  Lanes x = all(*numbers);
+  for (std::int32_t first = side; first < lanes; first += side) {
+    x = lane < static_cast<float>(first) ? x : all(*++numbers);
+  }
+  return x;
+#else
+  return *numbers;
+#endif
+}
+
+/// A number for each column, or for each of so many groups of columns.
+template <std::int32_t count>
+struct Row {
+  float of[count];
+
+  void add_pairs(const Row<2 * count>& parts) noexcept {
+    for (std::int32_t i = 0; i < count; ++i) of[i] = parts.of[2 * i] + parts.of[2 * i + 1];
+  }
+  /// Adds the second ones of pairs so many times.
+  void add_seconds(const Row<2 * count>& parts, float times) noexcept {
+    for (std::int32_t i = 0; i < count; ++i) of[i] += times * parts.of[2 * i + 1];
+  }
+};
 
 struct ColumnSums {
-  float near[columns];            ///< its cell's number that the readings are counted from
-  float q[columns], qq[columns];  ///< of what they are above it
-  float below[columns];           ///< row v counts side − v times
-  float seen[columns];            ///< 2^v for each reading
+  float near[columns / 4];   ///< the number that a cell's readings are counted from
+  Row<columns> q, qq;        ///< of what they are above it
+  Row<columns> below;        ///< q, where row v counts side − v times
+  Row<columns> n;            ///< readings
+  Row<columns> n_below;      ///< n, where row v counts side − v times
+  Row<columns> n_triangles;  ///< n, where row v counts (side − v)(side − v + 1) / 2 times
 
   /// Some number near the readings of each cell, so that little is lost in sums of 32 bits: the reading in
-  /// the middle, or where there is none, what the cell before had.
+  /// the middle, or where there is none, what the cell before has.
   template <std::int32_t side>
-  void begin(const float* first, std::ptrdiff_t stride, std::int32_t cells, float& last) noexcept {
+  void begin(const float* first, std::ptrdiff_t stride, std::int32_t cells, float& before) noexcept {
     const float* middle = first + side / 2 * stride + side / 2;
-    for (std::int32_t i = 0; i < cells; ++i) {
-      const float q_of_middle = middle[i * side];
-      last = q_of_middle > 0 ? q_of_middle : last;
-      for (std::int32_t k = 0; k < side; ++k) near[i * side + k] = last;
+    for (std::int32_t i = 0; i < columns / side; ++i) {
+      const float reading = i < cells ? middle[i * side] : 0.0F;
+      before = reading > 0 ? reading : before;
+      near[i] = before;
     }
   }
   /// Of the columns from x on.
   template <std::int32_t side>
   void sum(const float* first, std::ptrdiff_t stride, std::int32_t x) noexcept {
-    const Lanes none = all(0), from = load(near + x);
-    Lanes reads = none, bit = all(1), sum = none, sum_below = none, squares = none;
+    const Lanes none = all(0), one = all(1), from = spread<side>(near + x / side);
+    Lanes sum = none, sum_below = none, squares = none, count = none, count_below = none, triangles = none;
     for (std::int32_t v = 0; v < side; ++v) {
       const Lanes read = load(first + v * stride);
       const auto good = read > none;
       const Lanes above = good ? read - from : none;
-      reads += good ? bit : none;
-      bit += bit;
       sum += above;
       sum_below += sum;
       squares += above * above;
+      count += good ? one : none;
+      count_below += count;
+      triangles += count_below;
     }
-    store(q + x, sum);
-    store(qq + x, squares);
-    store(below + x, sum_below);
-    store(seen + x, reads);
+    store(q.of + x, sum);
+    store(qq.of + x, squares);
+    store(below.of + x, sum_below);
+    store(n.of + x, count);
+    store(n_below.of + x, count_below);
+    store(n_triangles.of + x, triangles);
   }
   /// The first columns; those that are left over hold nothing.
   template <std::int32_t side>
   void sum_all(const float* first, std::ptrdiff_t stride, std::int32_t count) noexcept {
     std::int32_t x = 0;
     for (; x + lanes <= count; x += lanes) sum<side>(first + x, stride, x);
-    float rest[side * lanes] = {};
-    for (std::int32_t i = count; i < columns; ++i) near[i] = 0;
     for (; x < columns; x += lanes) {
+      float rest[side * lanes];
       for (std::int32_t v = 0; v < side; ++v) {
         for (std::int32_t i = 0; i < lanes; ++i) {
           rest[v * lanes + i] = x + i < count ? first[v * stride + x + i] : 0.0F;
@@ -63,128 +96,120 @@ struct ColumnSums {
       sum<side>(rest, lanes, x);
     }
   }
-};
-
-/// Sums of four columns beside one another each.
-struct BandSums {
-  static constexpr std::int32_t most = columns / band;
-  float q[most], uq[most], qq[most], below[most], seen[most];
-
-  explicit BandSums(const ColumnSums& of) noexcept {
-    for (std::int32_t i = 0; i < most; ++i) {
-      const float* x = of.q + band * i;
-      q[i] = (x[0] + x[1]) + (x[2] + x[3]);
-      uq[i] = (x[1] + 2 * x[2]) + 3 * x[3];
-    }
-    add_up(of.qq, qq);
-    add_up(of.below, below);
-    add_up(of.seen, seen);
-  }
-  static void add_up(const float* columns_of, float* __restrict sums) noexcept {
-    for (std::int32_t i = 0; i < most; ++i) {
-      const float* x = columns_of + band * i;
-      sums[i] = (x[0] + x[1]) + (x[2] + x[3]);
-    }
+  bool all_read(float side, std::int32_t count) const noexcept {
+    std::int32_t missing = 0;
+    for (std::int32_t x = 0; x < count; ++x) missing |= n.of[x] == side ? 0 : 1;
+    return missing == 0;
   }
 };
 
-/// Of pixels above one another, a bit for each reading: how many, and the sums of their places and of the
-/// squares of these. All three in one number, so that they are added up at once; four rows in a table.
+/// Sums of columns; u counts from the first one of each group.
+template <std::int32_t count>
+struct Readings {
+  Row<count> q, uq, qq, below;
+
+  explicit Readings(const ColumnSums& of) noexcept {
+    q.add_pairs(of.q);
+    for (std::int32_t i = 0; i < count; ++i) uq.of[i] = of.q.of[2 * i + 1];
+    qq.add_pairs(of.qq);
+    below.add_pairs(of.below);
+  }
+  /// Of pairs of groups, each so many columns wide.
+  Readings(const Readings<2 * count>& of, float width) noexcept {
+    q.add_pairs(of.q);
+    uq.add_pairs(of.uq);
+    uq.add_seconds(of.q, width);
+    qq.add_pairs(of.qq);
+    below.add_pairs(of.below);
+  }
+};
+
+/// The readings' places in the same way: whole numbers.
+template <std::int32_t count>
 struct Places {
-  static constexpr std::uint32_t field = 20, most_bands = 4;
-  std::uint64_t of[most_bands][16];
+  Row<count> n, u, uu, v, uv, vv;
 
-  static constexpr std::int32_t count(std::uint64_t x) noexcept {
-    return static_cast<std::int32_t>(x >> 2 * field);
+  Places(const ColumnSums& of, float side) noexcept {
+    for (std::int32_t i = 0; i < count; ++i) {
+      const float below[] = {of.n_below.of[2 * i], of.n_below.of[2 * i + 1]};
+      const float first = of.n.of[2 * i], second = of.n.of[2 * i + 1];
+      const float v_of_second = side * second - below[1], number = first + second,
+                  all_below = below[0] + below[1];
+      const float triangles = of.n_triangles.of[2 * i] + of.n_triangles.of[2 * i + 1];
+      n.of[i] = number;
+      u.of[i] = uu.of[i] = second;
+      v.of[i] = side * number - all_below;
+      uv.of[i] = v_of_second;
+      vv.of[i] = (side * side * number - 2 * side * all_below) + (2 * triangles - all_below);
+    }
   }
-  static constexpr std::int32_t squares(std::uint64_t x) noexcept {
-    return static_cast<std::int32_t>(x >> field & ((1U << field) - 1));
-  }
-  static constexpr std::int32_t sum(std::uint64_t x) noexcept {
-    return static_cast<std::int32_t>(x & ((1U << field) - 1));
+  Places(const Places<2 * count>& of, float width) noexcept {
+    n.add_pairs(of.n);
+    u.add_pairs(of.u);
+    u.add_seconds(of.n, width);
+    uu.add_pairs(of.uu);
+    uu.add_seconds(of.u, 2 * width);
+    uu.add_seconds(of.n, width * width);
+    v.add_pairs(of.v);
+    uv.add_pairs(of.uv);
+    uv.add_seconds(of.v, width);
+    vv.add_pairs(of.vv);
   }
 };
 
-constexpr Places make_places() noexcept {
-  Places places{};
-  for (std::uint64_t k = 0; k < Places::most_bands; ++k) {
-    for (std::uint64_t bits = 0; bits < 16; ++bits) {
-      for (std::uint64_t v = band * k; v < band * k + band; ++v) {
-        if ((bits >> (v - band * k) & 1U) == 0) continue;
-        places.of[k][bits] += (std::uint64_t{1} << 2 * Places::field) + (v * v << Places::field) + v;
-      }
-    }
+/// Groups of two columns, joined until each is as wide as a cell.
+template <std::int32_t side, template <std::int32_t> class Groups, std::int32_t count>
+Groups<columns / side> joined(const Groups<count>& groups) noexcept {
+  if constexpr (count == columns / side) {
+    return groups;
+  } else {
+    return joined<side>(Groups<count / 2>(groups, columns / count));
   }
-  return places;
 }
-
-constexpr Places places = make_places();
 
 /// Cells; u and v count from their corners.
 struct CellSums {
-  static constexpr std::int32_t most = columns / band;
+  static constexpr std::int32_t most = columns / 4;
   float near[most];
   float q[most], uq[most], vq[most], qq[most];  ///< of what the readings are above it
   float n[most], mean_u[most], mean_v[most];    ///< of the readings' places
   float uu[most], uv[most], vv[most];           ///< sums of products of their deviations from these
-  float seen[most];
 
   template <std::int32_t side>
-  void join(const ColumnSums& of_columns, const BandSums& of) noexcept {
-    constexpr std::int32_t bands = side / band;
-    for (std::int32_t i = 0; i < most / bands; ++i) {
-      float sum = 0, u_sum = 0, below = 0, squares = 0, reads = 0;
-      for (std::int32_t k = 0; k < bands; ++k) {
-        const std::int32_t at = bands * i + k;
-        u_sum += static_cast<float>(band * k) * of.q[at] + of.uq[at];
-        sum += of.q[at];
-        below += of.below[at];
-        squares += of.qq[at];
-        reads += of.seen[at];
-      }
-      near[i] = of_columns.near[side * i];
-      q[i] = sum;
-      uq[i] = u_sum;
-      vq[i] = side * sum - below;
-      qq[i] = squares;
-      seen[i] = reads;
+  void take_readings(const ColumnSums& sums) noexcept {
+    const auto of = joined<side>(Readings<columns / 2>(sums));
+    for (std::int32_t i = 0; i < columns / side; ++i) {
+      near[i] = sums.near[i];
+      q[i] = of.q.of[i];
+      uq[i] = of.uq.of[i];
+      vq[i] = side * of.q.of[i] - of.below.of[i];
+      qq[i] = of.qq.of[i];
     }
   }
   template <std::int32_t side>
-  void count_places(const ColumnSums& of, std::int32_t count) noexcept {
+  void take_places(const ColumnSums& sums) noexcept {
+    const auto of = joined<side>(Places<columns / 2>(sums, side));
+    for (std::int32_t i = 0; i < columns / side; ++i) {
+      const float readings = of.n.of[i] > 0 ? of.n.of[i] : 1.0F;
+      const float u = of.u.of[i] / readings, v = of.v.of[i] / readings;
+      n[i] = of.n.of[i];
+      mean_u[i] = u;
+      mean_v[i] = v;
+      uu[i] = of.uu.of[i] - u * of.u.of[i];
+      uv[i] = of.uv.of[i] - u * of.v.of[i];
+      vv[i] = of.vv.of[i] - v * of.v.of[i];
+    }
+  }
+  /// The same where every pixel has a reading.
+  template <std::int32_t side>
+  void take_all_places() noexcept {
     constexpr float pixels = side * side, middle = 0.5F * (side - 1), spread = pixels * (pixels - 1) / 12;
-    for (std::int32_t i = 0; i < most; ++i) {
+    for (std::int32_t i = 0; i < columns / side; ++i) {
       n[i] = pixels;
       mean_u[i] = mean_v[i] = middle;
       uu[i] = vv[i] = spread;
       uv[i] = 0;
     }
-    constexpr float all_seen = side * ((1 << side) - 1);
-    for (std::int32_t i = 0; i < count; ++i) {
-      if (seen[i] != all_seen) count_some<side>(of.seen + i * side, i);
-    }
-  }
-  template <std::int32_t side>
-  void count_some(const float* seen_here, std::int32_t i) noexcept {
-    // From the last column on: column u is u times in `along`, and u (u + 1) / 2 times in `triangle`.
-    std::uint64_t once = 0, along = 0, triangle = 0;
-    for (std::int32_t x = side - 1; x >= 0; --x) {
-      if (x + 1 < side) {
-        along += once;
-        triangle += along;
-      }
-      const auto bits = static_cast<std::uint32_t>(seen_here[x]);
-      for (std::uint32_t k = 0; k < side / band; ++k) once += places.of[k][bits >> (band * k) & 15U];
-    }
-    const std::int32_t of_n = Places::count(once), of_u = Places::count(along), of_v = Places::sum(once);
-    const double readings = of_n > 0 ? of_n : 1, u = of_u / readings, v = of_v / readings;
-    const auto number = [](double x) noexcept { return static_cast<float>(x); };
-    n[i] = number(of_n);
-    mean_u[i] = number(u);
-    mean_v[i] = number(v);
-    uu[i] = number((2 * Places::count(triangle) - of_u) - u * of_u);
-    uv[i] = number(Places::sum(along) - u * of_v);
-    vv[i] = number(Places::squares(once) - v * of_v);
   }
 };
 
@@ -236,8 +261,12 @@ void sum_some(const DepthRows& corner, std::int32_t count, float& near, ColumnSu
               CellSums& sums) noexcept {
   of_columns.begin<side>(corner.first, corner.stride, count, near);
   of_columns.sum_all<side>(corner.first, corner.stride, count * side);
-  sums.join<side>(of_columns, BandSums(of_columns));
-  sums.count_places<side>(of_columns, count);
+  sums.take_readings<side>(of_columns);
+  if (of_columns.all_read(side, count * side)) {
+    sums.take_all_places<side>();
+  } else {
+    sums.take_places<side>(of_columns);
+  }
 }
 
 }  // namespace
