@@ -46,7 +46,6 @@ struct DepthCellTask {
 struct DepthBlock {
   static constexpr std::int32_t widest = 256;
   DepthRows rows;
-  std::int32_t left = 0, top = 0;  ///< of the corner
   std::int32_t width = 0, height = 0;
   double at = 0, along = 0, down = 0;  ///< 1/metre
   float limit = 0;                     ///< the gate, 1/metre
@@ -113,10 +112,8 @@ struct DepthKernels {
   void (*spread_labels)(const std::uint16_t* cells, const std::uint16_t* shown, std::int32_t side,
                         std::int32_t width, std::uint16_t* labels) noexcept;
 
-  /// Readings within the gate get the label, all others 0 and leave the `sums`: row by row, those of a row
-  /// summed first. The sums are those of InverseDepthMoments, in its order.
-  void (*label_block)(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride,
-                      double* sums) noexcept;
+  /// Readings within the gate get the label, all others 0; how many got it.
+  std::int32_t (*label_block)(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride) noexcept;
 
   /// What the labels of cells and of those around them in three rows are: 0, the only one beside 0, or 65535:
   /// several. Outside of the rows there are none.
@@ -127,10 +124,6 @@ struct DepthKernels {
   /// planes are nearly as near (4 deviations), the mean of the 3x3 pixels of the pixel's own surface (8
   /// deviations) decides.
   void (*choose)(const DepthChoice& square, std::uint16_t* labels) noexcept;
-  /// Adds 4x4 pixels whose first one is (left, top), with such labels, one after another to the sums of
-  /// these: as above, label 1 first.
-  void (*add_square)(const DepthRows& corner, std::int32_t left, std::int32_t top,
-                     const std::uint16_t* labels, double* sums) noexcept;
 };
 
 /// What the firmware runs and what every other table is compared with.

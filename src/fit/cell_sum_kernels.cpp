@@ -6,8 +6,10 @@
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
-// That are summed at once: their sums lie on the stack, which is small where one lane is all there is.
-constexpr std::int32_t columns = lanes > 1 ? 64 : 32;
+// Cells, and columns of them, that are summed at once: their sums lie on the stack, which is small where one
+// lane is all there is.
+template <std::int32_t side>
+constexpr std::int32_t columns_of = lanes > 1 ? 16 * side : 32;
 
 /// Number k counts for `side` lanes, then the next one.
 template <std::int32_t side>
@@ -17,7 +19,7 @@ Lanes spread(const float* numbers) noexcept {
   const Lanes lane = load(each);
   Lanes x = all(*numbers);
   for (std::int32_t first = side; first < lanes; first += side) {
-    x = lane < static_cast<float>(first) ? x : all(*++numbers);
+    x = lane < all(static_cast<float>(first)) ? x : all(*++numbers);
   }
   return x;
 #else
@@ -25,27 +27,42 @@ Lanes spread(const float* numbers) noexcept {
 #endif
 }
 
-/// A number for each column, or for each of so many groups of columns.
-template <std::int32_t count>
-struct Row {
-  float of[count];
+/// The first ones and the second ones of pairs beside one another.
+struct Pairs {
+  Lanes first, second;
 
-  void add_pairs(const Row<2 * count>& parts) noexcept {
-    for (std::int32_t i = 0; i < count; ++i) of[i] = parts.of[2 * i] + parts.of[2 * i + 1];
+  explicit Pairs(const float* from) noexcept {
+#if STRAIGHTEDGE_LANES == 16
+    const Lanes a = load(from), b = load(from + lanes);
+    first = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+    second = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
+#elif STRAIGHTEDGE_LANES == 8
+    const Lanes a = load(from), b = load(from + lanes);
+    first = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
+    second = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
+#elif STRAIGHTEDGE_LANES == 4
+    const Lanes a = load(from), b = load(from + lanes);
+    first = __builtin_shufflevector(a, b, 0, 2, 4, 6);
+    second = __builtin_shufflevector(a, b, 1, 3, 5, 7);
+#else
+    first = from[0];
+    second = from[1];
+#endif
   }
-  /// Adds the second ones of pairs so many times.
-  void add_seconds(const Row<2 * count>& parts, float times) noexcept {
-    for (std::int32_t i = 0; i < count; ++i) of[i] += times * parts.of[2 * i + 1];
+  Lanes sum() const noexcept {
+    return first + second;
   }
 };
 
+template <std::int32_t columns>
 struct ColumnSums {
-  float near[columns / 4];   ///< the number that a cell's readings are counted from
-  Row<columns> q, qq;        ///< of what they are above it
-  Row<columns> below;        ///< q, where row v counts side − v times
-  Row<columns> n;            ///< readings
-  Row<columns> n_below;      ///< n, where row v counts side − v times
-  Row<columns> n_triangles;  ///< n, where row v counts (side − v)(side − v + 1) / 2 times
+  float near[columns / 4];     ///< the number that a cell's readings are counted from
+  float q[columns];            ///< of what they are above it
+  float qq[columns];           ///< of its squares
+  float below[columns];        ///< of q, where row v counts side − v times
+  float n[columns];            ///< readings
+  float n_below[columns];      ///< of n, where row v counts side − v times
+  float n_triangles[columns];  ///< of n, where row v counts (side − v)(side − v + 1) / 2 times
 
   /// Some number near the readings of each cell, so that little is lost in sums of 32 bits: the reading in
   /// the middle, or where there is none, what the cell before has.
@@ -74,12 +91,12 @@ struct ColumnSums {
       count_below += count;
       triangles += count_below;
     }
-    store(q.of + x, sum);
-    store(qq.of + x, squares);
-    store(below.of + x, sum_below);
-    store(n.of + x, count);
-    store(n_below.of + x, count_below);
-    store(n_triangles.of + x, triangles);
+    store(q + x, sum);
+    store(qq + x, squares);
+    store(n + x, count);
+    store(below + x, sum_below);
+    store(n_below + x, count_below);
+    store(n_triangles + x, triangles);
   }
   /// The first columns; those that are left over hold nothing.
   template <std::int32_t side>
@@ -98,125 +115,110 @@ struct ColumnSums {
   }
   bool all_read(float side, std::int32_t count) const noexcept {
     std::int32_t missing = 0;
-    for (std::int32_t x = 0; x < count; ++x) missing |= n.of[x] == side ? 0 : 1;
+    for (std::int32_t x = 0; x < count; ++x) missing |= n[x] == side ? 0 : 1;
     return missing == 0;
   }
 };
 
-/// Sums of columns; u counts from the first one of each group.
-template <std::int32_t count>
+/// Sums over groups of columns, u from the first one of each.
+template <std::int32_t groups>
 struct Readings {
-  Row<count> q, uq, qq, below;
+  float q[groups], uq[groups], qq[groups], below[groups];
 
-  explicit Readings(const ColumnSums& of) noexcept {
-    q.add_pairs(of.q);
-    for (std::int32_t i = 0; i < count; ++i) uq.of[i] = of.q.of[2 * i + 1];
-    qq.add_pairs(of.qq);
-    below.add_pairs(of.below);
+  /// Groups of two columns.
+  explicit Readings(const ColumnSums<2 * groups>& of) noexcept {
+    for (std::int32_t i = 0; i < groups; i += lanes) {
+      const Pairs of_q(of.q + 2 * i);
+      store(q + i, of_q.sum());
+      store(uq + i, of_q.second);
+      store(qq + i, Pairs(of.qq + 2 * i).sum());
+      store(below + i, Pairs(of.below + 2 * i).sum());
+    }
   }
-  /// Of pairs of groups, each so many columns wide.
-  Readings(const Readings<2 * count>& of, float width) noexcept {
-    q.add_pairs(of.q);
-    uq.add_pairs(of.uq);
-    uq.add_seconds(of.q, width);
-    qq.add_pairs(of.qq);
-    below.add_pairs(of.below);
+  /// Pairs of groups, each so many columns wide.
+  Readings(const Readings<2 * groups>& of, float width) noexcept {
+    for (std::int32_t i = 0; i < groups; i += lanes) {
+      const Pairs of_q(of.q + 2 * i);
+      store(q + i, of_q.sum());
+      store(uq + i, Pairs(of.uq + 2 * i).sum() + all(width) * of_q.second);
+      store(qq + i, Pairs(of.qq + 2 * i).sum());
+      store(below + i, Pairs(of.below + 2 * i).sum());
+    }
   }
 };
 
 /// The readings' places in the same way: whole numbers.
-template <std::int32_t count>
+template <std::int32_t groups>
 struct Places {
-  Row<count> n, u, uu, v, uv, vv;
+  float n[groups], u[groups], uu[groups], v[groups], uv[groups], vv[groups];
 
-  Places(const ColumnSums& of, float side) noexcept {
-    for (std::int32_t i = 0; i < count; ++i) {
-      const float below[] = {of.n_below.of[2 * i], of.n_below.of[2 * i + 1]};
-      const float first = of.n.of[2 * i], second = of.n.of[2 * i + 1];
-      const float v_of_second = side * second - below[1], number = first + second,
-                  all_below = below[0] + below[1];
-      const float triangles = of.n_triangles.of[2 * i] + of.n_triangles.of[2 * i + 1];
-      n.of[i] = number;
-      u.of[i] = uu.of[i] = second;
-      v.of[i] = side * number - all_below;
-      uv.of[i] = v_of_second;
-      vv.of[i] = (side * side * number - 2 * side * all_below) + (2 * triangles - all_below);
+  Places(const ColumnSums<2 * groups>& of, float side) noexcept {
+    for (std::int32_t i = 0; i < groups; i += lanes) {
+      const Pairs count(of.n + 2 * i), below(of.n_below + 2 * i);
+      const Lanes all_below = below.sum(), triangles = Pairs(of.n_triangles + 2 * i).sum();
+      const Lanes height = all(side);
+      store(n + i, count.sum());
+      store(u + i, count.second);
+      store(uu + i, count.second);
+      store(v + i, height * count.sum() - all_below);
+      store(uv + i, height * count.second - below.second);
+      // v = side − w: of w and ww there are sums.
+      store(vv + i, (height * height * count.sum() - 2 * height * all_below) + (2 * triangles - all_below));
     }
   }
-  Places(const Places<2 * count>& of, float width) noexcept {
-    n.add_pairs(of.n);
-    u.add_pairs(of.u);
-    u.add_seconds(of.n, width);
-    uu.add_pairs(of.uu);
-    uu.add_seconds(of.u, 2 * width);
-    uu.add_seconds(of.n, width * width);
-    v.add_pairs(of.v);
-    uv.add_pairs(of.uv);
-    uv.add_seconds(of.v, width);
-    vv.add_pairs(of.vv);
+  Places(const Places<2 * groups>& of, float width) noexcept {
+    for (std::int32_t i = 0; i < groups; i += lanes) {
+      const Lanes across = all(width);
+      const Pairs count(of.n + 2 * i), of_u(of.u + 2 * i), of_v(of.v + 2 * i);
+      store(n + i, count.sum());
+      store(u + i, of_u.sum() + across * count.second);
+      store(uu + i, Pairs(of.uu + 2 * i).sum() + across * (2 * of_u.second + across * count.second));
+      store(v + i, of_v.sum());
+      store(uv + i, Pairs(of.uv + 2 * i).sum() + across * of_v.second);
+      store(vv + i, Pairs(of.vv + 2 * i).sum());
+    }
   }
 };
 
-/// Groups of two columns, joined until each is as wide as a cell.
-template <std::int32_t side, template <std::int32_t> class Groups, std::int32_t count>
-Groups<columns / side> joined(const Groups<count>& groups) noexcept {
-  if constexpr (count == columns / side) {
-    return groups;
+/// Groups of two columns, joined until there are as many as cells.
+template <std::int32_t cells, std::int32_t width, template <std::int32_t> class Groups, std::int32_t groups>
+Groups<cells> joined(const Groups<groups>& of) noexcept {
+  if constexpr (groups == cells) {
+    return of;
   } else {
-    return joined<side>(Groups<count / 2>(groups, columns / count));
+    return joined<cells, 2 * width>(Groups<groups / 2>(of, width));
   }
 }
 
-/// Cells; u and v count from their corners.
-struct CellSums {
-  static constexpr std::int32_t most = columns / 4;
-  float near[most];
-  float q[most], uq[most], vq[most], qq[most];  ///< of what the readings are above it
-  float n[most], mean_u[most], mean_v[most];    ///< of the readings' places
-  float uu[most], uv[most], vv[most];           ///< sums of products of their deviations from these
+/// Where the readings of some cells are: means, and sums of products of the deviations from them.
+struct Spread {
+  Lanes n, u, v, uu, uv, vv;
 
-  template <std::int32_t side>
-  void take_readings(const ColumnSums& sums) noexcept {
-    const auto of = joined<side>(Readings<columns / 2>(sums));
-    for (std::int32_t i = 0; i < columns / side; ++i) {
-      near[i] = sums.near[i];
-      q[i] = of.q.of[i];
-      uq[i] = of.uq.of[i];
-      vq[i] = side * of.q.of[i] - of.below.of[i];
-      qq[i] = of.qq.of[i];
-    }
-  }
-  template <std::int32_t side>
-  void take_places(const ColumnSums& sums) noexcept {
-    const auto of = joined<side>(Places<columns / 2>(sums, side));
-    for (std::int32_t i = 0; i < columns / side; ++i) {
-      const float readings = of.n.of[i] > 0 ? of.n.of[i] : 1.0F;
-      const float u = of.u.of[i] / readings, v = of.v.of[i] / readings;
-      n[i] = of.n.of[i];
-      mean_u[i] = u;
-      mean_v[i] = v;
-      uu[i] = of.uu.of[i] - u * of.u.of[i];
-      uv[i] = of.uv.of[i] - u * of.v.of[i];
-      vv[i] = of.vv.of[i] - v * of.v.of[i];
-    }
-  }
-  /// The same where every pixel has a reading.
-  template <std::int32_t side>
-  void take_all_places() noexcept {
-    constexpr float pixels = side * side, middle = 0.5F * (side - 1), spread = pixels * (pixels - 1) / 12;
-    for (std::int32_t i = 0; i < columns / side; ++i) {
-      n[i] = pixels;
-      mean_u[i] = mean_v[i] = middle;
-      uu[i] = vv[i] = spread;
-      uv[i] = 0;
-    }
+  /// Every pixel has a reading.
+  explicit Spread(float side) noexcept
+      : n(all(side * side)),
+        u(all(0.5F * (side - 1))),
+        v(u),
+        uu(all(side * side * (side * side - 1) / 12)),
+        uv(all(0)),
+        vv(uu) {}
+  template <std::int32_t groups>
+  Spread(const Places<groups>& of, std::int32_t i) noexcept : n(load(of.n + i)) {
+    const Lanes readings = n > all(0) ? n : all(1), of_u = load(of.u + i), of_v = load(of.v + i);
+    u = of_u / readings;
+    v = of_v / readings;
+    uu = load(of.uu + i) - u * of_u;
+    uv = load(of.uv + i) - u * of_v;
+    vv = load(of.vv + i) - v * of_v;
   }
 };
 
-/// Cells as DepthCell holds them, a row of numbers for each kind.
+/// Cells as DepthCell holds them, a row of numbers for each kind; the first one's corner is at (left, top).
 struct CellWriter {
   const DepthCellRows& out;
-  std::int32_t count;
+  std::uint8_t* counts;
+  std::int32_t count, side;
+  double left, top;
 
   void put(std::ptrdiff_t kind, std::int32_t i, const Lanes& x) const noexcept {
     float* to = out.first + kind * out.apart + i;
@@ -228,44 +230,50 @@ struct CellWriter {
     store(some, x);
     for (std::int32_t k = 0; i + k < count; ++k) to[k] = some[k];
   }
-  /// The first cell's corner is at (left, top).
-  void write(const CellSums& sums, std::int32_t side, double left, double top,
-             std::uint8_t* counts) const noexcept {
-    float lefts[CellSums::most];
-    for (std::int32_t i = 0; i < CellSums::most; ++i) lefts[i] = static_cast<float>(left + side * i);
-    const auto at_top = static_cast<float>(top);
-    for (std::int32_t i = 0; i < count; i += lanes) {
-      const Lanes n = load(sums.n + i), readings = n > all(0) ? n : all(1);
-      const Lanes u = load(sums.mean_u + i), v = load(sums.mean_v + i);
-      const Lanes q = load(sums.q + i), mean_q = q / readings;
-      const Lanes near = n > all(0) ? load(sums.near + i) : all(0);
-      put(0, i, n);
-      put(1, i, u + load(lefts + i));
-      put(2, i, v + at_top);
-      put(3, i, near + mean_q);
-      put(4, i, load(sums.uu + i));
-      put(5, i, load(sums.uv + i));
-      put(6, i, load(sums.vv + i));
-      put(7, i, load(sums.uq + i) - u * q);
-      put(8, i, load(sums.vq + i) - v * q);
-      put(9, i, load(sums.qq + i) - mean_q * q);
-    }
-    for (std::int32_t i = 0; i < count; ++i) {
-      counts[i] = static_cast<std::uint8_t>(sums.n[i] < 255 ? sums.n[i] : 255.0F);
+  /// Cells i, i + 1, ...
+  template <std::int32_t cells>
+  void write(std::int32_t i, const Readings<cells>& of, const float* near, const Spread& at) const noexcept {
+    float lefts[lanes], numbers[lanes];
+    for (std::int32_t k = 0; k < lanes; ++k) lefts[k] = static_cast<float>(left + side * (i + k));
+    const Lanes none = all(0), some = at.n > none ? at.n : all(1);
+    const Lanes q = load(of.q + i), mean_q = q / some;
+    put(0, i, at.n);
+    put(1, i, at.u + load(lefts));
+    put(2, i, at.v + all(static_cast<float>(top)));
+    put(3, i, (at.n > none ? load(near + i) : none) + mean_q);
+    put(4, i, at.uu);
+    put(5, i, at.uv);
+    put(6, i, at.vv);
+    put(7, i, load(of.uq + i) - at.u * q);
+    put(8, i, (all(static_cast<float>(side)) * q - load(of.below + i)) - at.v * q);
+    put(9, i, load(of.qq + i) - mean_q * q);
+    store(numbers, at.n);
+    for (std::int32_t k = 0; k < lanes && i + k < count; ++k) {
+      counts[i + k] = static_cast<std::uint8_t>(numbers[k] < 255 ? numbers[k] : 255.0F);
     }
   }
 };
 
 template <std::int32_t side>
-void sum_some(const DepthRows& corner, std::int32_t count, float& near, ColumnSums& of_columns,
-              CellSums& sums) noexcept {
-  of_columns.begin<side>(corner.first, corner.stride, count, near);
-  of_columns.sum_all<side>(corner.first, corner.stride, count * side);
-  sums.take_readings<side>(of_columns);
-  if (of_columns.all_read(side, count * side)) {
-    sums.take_all_places<side>();
-  } else {
-    sums.take_places<side>(of_columns);
+void build_all(const DepthRows& corner, std::int32_t cells, double left, double top, const DepthCellRows& out,
+               std::uint8_t* counts) noexcept {
+  constexpr std::int32_t columns = columns_of<side>, most = columns / side;
+  ColumnSums<columns> sums;
+  float near = 0;
+  for (std::int32_t first = 0; first < cells; first += most) {
+    const std::int32_t rest = cells - first, count = rest < most ? rest : most;
+    const float* pixels = corner.first + first * side;
+    const DepthCellRows to{out.first + first, out.apart};
+    const CellWriter writer{to, counts + first, count, side, left + side * first, top};
+    sums.template begin<side>(pixels, corner.stride, count, near);
+    sums.template sum_all<side>(pixels, corner.stride, count * side);
+    const auto readings = joined<most, 2>(Readings<columns / 2>(sums));
+    if (sums.all_read(side, count * side)) {
+      for (std::int32_t i = 0; i < count; i += lanes) writer.write(i, readings, sums.near, Spread(side));
+    } else {
+      const auto places = joined<most, 2>(Places<columns / 2>(sums, side));
+      for (std::int32_t i = 0; i < count; i += lanes) writer.write(i, readings, sums.near, Spread(places, i));
+    }
   }
 }
 
@@ -273,22 +281,12 @@ void sum_some(const DepthRows& corner, std::int32_t count, float& near, ColumnSu
 
 void build_cells(const DepthRows& corner, std::int32_t side, std::int32_t cells, double left, double top,
                  const DepthCellRows& out, std::uint8_t* counts) noexcept {
-  const std::int32_t most = columns / side;
-  ColumnSums of_columns;
-  CellSums sums;
-  float near = 0;
-  for (std::int32_t first = 0; first < cells; first += most) {
-    const std::int32_t rest = cells - first, count = rest < most ? rest : most;
-    const DepthRows pixels{corner.first + first * side, corner.stride};
-    if (side == 4) {
-      sum_some<4>(pixels, count, near, of_columns, sums);
-    } else if (side == 8) {
-      sum_some<8>(pixels, count, near, of_columns, sums);
-    } else {
-      sum_some<16>(pixels, count, near, of_columns, sums);
-    }
-    const DepthCellRows to{out.first + first, out.apart};
-    CellWriter{to, count}.write(sums, side, left + side * first, top, counts + first);
+  if (side == 4) {
+    build_all<4>(corner, cells, left, top, out, counts);
+  } else if (side == 8) {
+    build_all<8>(corner, cells, left, top, out, counts);
+  } else {
+    build_all<16>(corner, cells, left, top, out, counts);
   }
 }
 

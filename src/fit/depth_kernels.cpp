@@ -78,7 +78,6 @@ constinit const DepthKernels STRAIGHTEDGE_OF_SET(_depth_kernels) = {
     .label_block = STRAIGHTEDGE_KERNEL_SET::label_block,
     .look_around = STRAIGHTEDGE_KERNEL_SET::look_around,
     .choose = STRAIGHTEDGE_KERNEL_SET::choose,
-    .add_square = STRAIGHTEDGE_KERNEL_SET::add_square,
 };
 
 }  // namespace straightedge

@@ -6,26 +6,6 @@
 #include <array>
 
 namespace straightedge::detail {
-namespace {
-
-struct Alike {
-  std::uint16_t label = 0;  ///< what all pixels have that have any, 0: not the same
-  std::int32_t count = 0;   ///< of them
-};
-
-Alike alike(const std::uint16_t* chosen) noexcept {
-  Alike found;
-  for (std::int32_t i = 0; i < DepthChoice::pixels; ++i) found.label = std::max(found.label, chosen[i]);
-  std::int32_t without = 0;
-  for (std::int32_t i = 0; i < DepthChoice::pixels; ++i) {
-    found.count += chosen[i] == found.label ? 1 : 0;
-    without += chosen[i] == 0 ? 1 : 0;
-  }
-  return found.count + without == DepthChoice::pixels ? found : Alike{};
-}
-
-}  // namespace
-
 PixelChoice::PixelChoice(const PixelLabeller& work, ImageView<std::uint16_t> labels,
                          std::span<InverseDepthMoments> moments) noexcept
     : work_(work), labels_(labels), moments_(moments), choice_{}, at_border_{} {
@@ -42,13 +22,10 @@ void PixelChoice::label_cell(std::int32_t x, std::int32_t y) noexcept {
   const Size size = work_.cells.size(finest);
   const LabelsAround around(size, work_.cell_labels, x, y);
   const std::int32_t cell = DepthCells::side_of(finest), left = x * cell, top = y * cell;
-  const auto place =
-      static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
-  const std::size_t* own = cell == side ? &place : nullptr;
   const std::int32_t right = std::min(left + cell, labels_.width),
                      bottom = std::min(top + cell, labels_.height);
   for (std::int32_t j = top; j < bottom; j += side) {
-    for (std::int32_t i = left; i < right; i += side) label_square(i, j, around, own);
+    for (std::int32_t i = left; i < right; i += side) label_square(i, j, around);
   }
 }
 
@@ -64,8 +41,7 @@ DepthRows PixelChoice::look(std::int32_t left, std::int32_t top) noexcept {
   return {at_border_.data(), side_around};
 }
 
-void PixelChoice::label_square(std::int32_t left, std::int32_t top, const LabelsAround& near,
-                               const std::size_t* cell) noexcept {
+void PixelChoice::label_square(std::int32_t left, std::int32_t top, const LabelsAround& near) noexcept {
   choice_.around = look(left, top);
   choice_.planes = static_cast<std::int32_t>(near.count);
   for (std::size_t k = 0; k < near.count; ++k) {
@@ -79,13 +55,12 @@ void PixelChoice::label_square(std::int32_t left, std::int32_t top, const Labels
   std::array<std::uint16_t, DepthChoice::pixels> chosen;
   work_.kernels.choose(choice_, chosen.data());
   write(left, top, chosen.data());
-  const Alike all = cell != nullptr ? alike(chosen.data()) : Alike{};
-  if (all.label != 0 && static_cast<float>(all.count) == work_.cells.rows(0, *cell).first[0]) {
-    moments_[all.label - 1U].add(work_.cells.moments(0, *cell));
-  } else {
-    const DepthRows& outer = choice_.around;
-    work_.kernels.add_square({outer.first + outer.stride + 1, outer.stride}, left, top, chosen.data(),
-                             numbers_of(moments_));
+  for (std::size_t k = 0; k < near.count; ++k) {
+    const std::uint16_t label = choice_.label[k];
+    if (label == 0) continue;
+    std::int32_t count = 0;
+    for (const std::uint16_t each : chosen) count += each == label ? 1 : 0;
+    moments_[label - 1U].n += count;
   }
 }
 

@@ -17,12 +17,6 @@ std::ptrdiff_t elements_apart(const ImageView<T>& view) noexcept {
   return view.stride / static_cast<std::ptrdiff_t>(sizeof(T));
 }
 
-/// The numbers of sums, one after another, as kernels see them.
-inline double* numbers_of(std::span<InverseDepthMoments> sums) noexcept {
-  static_assert(sizeof(InverseDepthMoments) == 10 * sizeof(double));
-  return &sums.front().n;
-}
-
 /// Step 7 of frame_planes.hpp where several planes meet: every pixel takes the nearest of those around its
 /// cell.
 class PixelChoice {
@@ -30,7 +24,7 @@ class PixelChoice {
   PixelChoice(const PixelLabeller& work, ImageView<std::uint16_t> labels,
               std::span<InverseDepthMoments> moments) noexcept;
 
-  /// Labels the pixels of smallest cell (x, y), and adds them to their planes' sums.
+  /// Labels the pixels of smallest cell (x, y), and counts them in their planes' sums.
   void label_cell(std::int32_t x, std::int32_t y) noexcept;
 
  private:
@@ -38,8 +32,7 @@ class PixelChoice {
 
   /// The square's pixels with those around it.
   DepthRows look(std::int32_t left, std::int32_t top) noexcept;
-  void label_square(std::int32_t left, std::int32_t top, const LabelsAround& near,
-                    const std::size_t* cell) noexcept;
+  void label_square(std::int32_t left, std::int32_t top, const LabelsAround& near) noexcept;
   void write(std::int32_t left, std::int32_t top, const std::uint16_t* chosen) const noexcept;
 
   const PixelLabeller& work_;

@@ -11,10 +11,7 @@ namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 void mark_whole(const DepthWholeCells& task, const DepthSurfaces& surfaces, std::uint16_t* labels) noexcept;
 void spread_labels(const std::uint16_t* cells, const std::uint16_t* shown, std::int32_t side,
                    std::int32_t width, std::uint16_t* labels) noexcept;
-void label_block(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride,
-                 double* sums) noexcept;
+std::int32_t label_block(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride) noexcept;
 void choose(const DepthChoice& square, std::uint16_t* labels) noexcept;
-void add_square(const DepthRows& corner, std::int32_t left, std::int32_t top, const std::uint16_t* labels,
-                double* sums) noexcept;
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET

@@ -37,16 +37,17 @@ struct Pixels {
   ImageView<std::uint16_t> labels;
   std::span<InverseDepthMoments> moments;
 
+  void count(std::int32_t pixels, std::uint16_t label) const noexcept {
+    if (work.shown[label - 1U] != 0) moments[label - 1U].n += pixels;
+  }
   /// Pixels with one and the same plane around: each within the gate is its. The plane is taken for flat.
-  void fill(std::int32_t left, std::int32_t top, Size size, const InverseDepthMoments& sum,
-            std::uint16_t only) const noexcept {
+  void fill(std::int32_t left, std::int32_t top, Size size, std::uint16_t only) const noexcept {
     if (work.shown[only - 1U] == 0) return;
-    const InverseDepthPlane plane = work.planes[only - 1U].tangent(sum.u / sum.n, sum.v / sum.n);
-    const double limit = work.gate.sigmas * work.gate.inverse_noise(sum.q / sum.n);
+    const double u = left + size.width / 2.0, v = top + size.height / 2.0;
+    const InverseDepthPlane plane = work.planes[only - 1U].tangent(u, v);
+    const double limit = work.gate.sigmas * work.gate.inverse_noise(plane.at(u, v));
     const ImageView<const float>& q = work.inverse_depth;
     const DepthBlock block{{q.row(top) + left, elements_apart(q)},
-                           left,
-                           top,
                            std::min(size.width, labels.width - left),
                            std::min(size.height, labels.height - top),
                            plane.at(left, top),
@@ -54,9 +55,7 @@ struct Pixels {
                            plane.b,
                            static_cast<float>(limit),
                            only};
-    moments[only - 1U].add(sum);
-    work.kernels.label_block(block, labels.row(top) + left, elements_apart(labels),
-                             numbers_of(moments.subspan(only - 1U)));
+    count(work.kernels.label_block(block, labels.row(top) + left, elements_apart(labels)), only);
   }
 };
 
@@ -129,42 +128,38 @@ struct States {
   }
 };
 
-/// The sums of the cells that are whole, in squares as large as they come.
-struct WholeSums {
-  const States& states;
+/// Sums of the planes' own cells, in squares as large as they come.
+struct CellMoments {
+  const PixelLabeller& work;
   std::span<InverseDepthMoments> moments;
 
-  /// Adds square (x, y) of `doublings` levels above the finest if it is all of one plane, and is not looked
-  /// at any more then.
+  /// Adds square (x, y) of `doublings` levels above the finest if all of it has one label.
   bool add(std::int32_t x, std::int32_t y, int doublings) const noexcept {
-    const Size size = states.size();
+    const int level = work.cells.finest() + doublings;
+    const Size size = work.cells.size(work.cells.finest()), squares = work.cells.size(level);
     const std::int32_t left = x << doublings, right = std::min((x + 1) << doublings, size.width),
                        top = y << doublings, bottom = std::min((y + 1) << doublings, size.height);
-    const std::uint16_t first = states.row(top)[left];
-    if (!is_whole(first)) return false;
-    for (std::int32_t j = top; j < bottom; ++j) {
-      const std::uint16_t* row = states.row(j);
+    const std::uint16_t* row = work.cell_labels.data() + static_cast<std::ptrdiff_t>(top) * size.width + left;
+    const std::uint16_t first = *row;
+    std::uint64_t differ = 0;
+    for (std::int32_t j = top; j < bottom; ++j, row += size.width) {
       if (right - left == 4) {
-        if (four(row + left) != first * four_ones) return false;
+        differ |= four(row) ^ (first * four_ones);
         continue;
       }
-      for (std::int32_t i = left; i < right; ++i) {
-        if (row[i] != first) return false;
-      }
+      for (std::int32_t i = 0; i < right - left; ++i) differ |= row[i] ^ first;
     }
-    const int level = states.finest() + doublings;
-    const DepthCells& cells = states.work.cells;
-    const auto plane = static_cast<std::size_t>(first & ~unsigned{whole}) - 1;
-    if (states.work.shown[plane] != 0) {
-      moments[plane].add(cells.moments(
-          level, static_cast<std::size_t>(y) * static_cast<std::size_t>(cells.size(level).width) +
-                     static_cast<std::size_t>(x)));
+    if (differ != 0) return false;
+    if (first != 0 && work.shown[first - 1U] != 0) {
+      const auto place =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(squares.width) + static_cast<std::size_t>(x);
+      moments[first - 1U].add(work.cells.moments(level, place));
     }
     return true;
   }
   void add_all() const noexcept {
-    const int most = std::min(2, DepthCells::levels - 1 - states.finest());
-    const Size size = states.work.cells.size(states.finest() + most);
+    const int most = std::min(2, DepthCells::levels - 1 - work.cells.finest());
+    const Size size = work.cells.size(work.cells.finest() + most);
     for (std::int32_t y = 0; y < size.height; ++y) {
       for (std::int32_t x = 0; x < size.width; ++x) {
         if (!add(x, y, most)) add_parts(x, y, most - 1);
@@ -172,7 +167,8 @@ struct WholeSums {
     }
   }
   void add_parts(std::int32_t X, std::int32_t Y, int doublings) const noexcept {
-    const Size size = states.work.cells.size(states.finest() + doublings), smallest = states.size();
+    const Size size = work.cells.size(work.cells.finest() + doublings),
+               smallest = work.cells.size(work.cells.finest());
     for (std::int32_t y = 2 * Y; y < std::min(2 * Y + 2, size.height); ++y) {
       for (std::int32_t x = 2 * X; x < std::min(2 * X + 2, size.width); ++x) {
         if (add(x, y, doublings) || doublings == 0) continue;
@@ -183,6 +179,11 @@ struct WholeSums {
     }
   }
 };
+
+constexpr InverseDepthMoments times(const InverseDepthMoments& m, double factor) noexcept {
+  return {m.n * factor,  m.u * factor, m.v * factor,  m.uu * factor, m.uv * factor,
+          m.vv * factor, m.q * factor, m.uq * factor, m.vq * factor, m.qq * factor};
+}
 
 /// A row of smallest cells.
 struct CellRow {
@@ -200,7 +201,7 @@ struct CellRow {
       std::copy(out, out + labels.width, labels.row(j));
     }
   }
-  /// The pixels of cells that are not.
+  /// Counts the pixels of whole cells, and labels those of the others.
   void label_rest(PixelChoice& choice) const noexcept {
     const DepthCells& cells = pixels.work.cells;
     const std::int32_t side = DepthCells::side_of(states.finest()), width = states.size().width;
@@ -211,12 +212,13 @@ struct CellRow {
       std::int32_t end = x + 1;
       if (of[x] == border) {
         choice.label_cell(x, y);
-      } else if (of[x] != none && !is_whole(of[x]) && readings[x] > 0) {
-        InverseDepthMoments sum = cells.moments(states.finest(), first + static_cast<std::size_t>(x));
-        for (; end < width && (end - x) * side < longest_run && of[end] == of[x]; ++end) {
-          sum.add(cells.moments(states.finest(), first + static_cast<std::size_t>(end)));
+      } else if (of[x] != none && readings[x] > 0) {
+        while (end < width && (end - x) * side < longest_run && of[end] == of[x]) ++end;
+        if (is_whole(of[x])) {
+          pixels.count((end - x) * side * side, static_cast<std::uint16_t>(of[x] & ~unsigned{whole}));
+        } else {
+          pixels.fill(x * side, y * side, {(end - x) * side, side}, of[x]);
         }
-        pixels.fill(x * side, y * side, {(end - x) * side, side}, sum, of[x]);
       }
       x = end;
     }
@@ -268,11 +270,21 @@ void PixelLabeller::label(ImageView<std::uint16_t> labels, std::span<InverseDept
   for (std::int32_t y = 0; y < height; ++y) states.look_around(y);
   if (some_are_small()) find_shown(scratch, moments);
   for (std::int32_t y = 0; y < height; ++y) states.settle(y);
-  WholeSums{states, moments}.add_all();
+  CellMoments{*this, moments}.add_all();
+  // The means, while n counts pixels.
+  for (InverseDepthMoments& m : moments) {
+    if (m.n > 0) m = times(m, 1 / m.n);
+    m.n = 0;
+  }
   for (std::int32_t y = 0; y < height; ++y) {
     const CellRow row{pixels, states, y};
     row.spread();
     row.label_rest(choice);
+  }
+  for (InverseDepthMoments& m : moments) {
+    const double counted = m.n;
+    m = times(m, counted);
+    m.n = counted;
   }
 }
 

@@ -8,51 +8,6 @@
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
-/// The readings of a row that get no label.
-struct Missed {
-  std::int64_t n = 0, u = 0, uu = 0;
-  __m256d sums = _mm256_setzero_pd();  ///< of a reading times 1, its column, its row, itself
-
-  /// Bit i: the one i columns right of `column`, q[i].
-  void add(std::uint32_t some, const float* q, std::int32_t column, double v) noexcept {
-    const __m256d by = _mm256_set_pd(0, v, 0, 1);
-    for (; some != 0; some &= some - 1) {
-      const std::int32_t i = __builtin_ctz(some);
-      const std::int64_t at = column + i;
-      const __m256d reading = _mm256_set1_pd(static_cast<double>(q[i]));
-      const __m256d placed = _mm256_blend_pd(by, _mm256_set1_pd(static_cast<double>(at)), 2);
-      sums = _mm256_add_pd(sums, _mm256_mul_pd(reading, _mm256_blend_pd(placed, reading, 8)));
-      n += 1;
-      u += at;
-      uu += at * at;
-    }
-  }
-};
-
-/// What label_block takes from.
-struct Sums {
-  double n, u, v, uu, uv, vv;
-  __m256d readings;
-
-  explicit Sums(const double* of) noexcept
-      : n(of[0]), u(of[1]), v(of[2]), uu(of[3]), uv(of[4]), vv(of[5]), readings(_mm256_loadu_pd(of + 6)) {}
-  void subtract(const Missed& missed, double row) noexcept {
-    const auto count = static_cast<double>(missed.n), columns = static_cast<double>(missed.u);
-    n -= count;
-    u -= columns;
-    v -= row * count;
-    uu -= static_cast<double>(missed.uu);
-    uv -= row * columns;
-    vv -= row * row * count;
-    readings = _mm256_sub_pd(readings, missed.sums);
-  }
-  void store(double* to) const noexcept {
-    const double whole[] = {n, u, v, uu, uv, vv};
-    for (int i = 0; i < 6; ++i) to[i] = whole[i];
-    _mm256_storeu_pd(to + 6, readings);
-  }
-};
-
 /// Multiples of the slope, for the columns of a block.
 struct Slopes {
   alignas(64) float along[DepthBlock::widest];
@@ -76,32 +31,30 @@ struct Look {
         label(_mm512_set1_epi16(static_cast<std::int16_t>(block.label))) {}
   /// The plane is `at` in column 0.
   void begin(float at) noexcept { first = _mm512_set1_ps(at); }
-  /// Labels pixels; bits of those that are missed.
-  std::uint32_t all(const float* q, const float* along, std::uint16_t* labels) const noexcept {
-    const Half left = look(_mm512_loadu_ps(q), along), right = look(_mm512_loadu_ps(q + 16), along + 16);
-    const __mmask32 near = _mm512_kunpackw(right.near, left.near);
+  /// Labels pixels; how many are the plane's.
+  std::int32_t all(const float* q, const float* along, std::uint16_t* labels) const noexcept {
+    const __mmask16 left = look(_mm512_loadu_ps(q), along), right = look(_mm512_loadu_ps(q + 16), along + 16);
+    const __mmask32 near = _mm512_kunpackw(right, left);
     _mm512_storeu_si512(labels, _mm512_maskz_mov_epi16(near, label));
-    return _cvtmask32_u32(_kandn_mask32(near, _mm512_kunpackw(right.reads, left.reads)));
+    return __builtin_popcount(_cvtmask32_u32(near));
   }
   /// The same for fewer.
-  std::uint32_t first_of(const float* q, const float* along, std::int32_t count,
-                         std::uint16_t* labels) const noexcept {
+  std::int32_t first_of(const float* q, const float* along, std::int32_t count,
+                        std::uint16_t* labels) const noexcept {
     const auto some = static_cast<__mmask32>((1ULL << static_cast<std::uint32_t>(count)) - 1U);
-    const Half left = look(_mm512_maskz_loadu_ps(static_cast<__mmask16>(some), q), along),
-               right = look(_mm512_maskz_loadu_ps(static_cast<__mmask16>(some >> 16U), q + 16), along + 16);
-    const __mmask32 near = _mm512_kunpackw(right.near, left.near);
+    const __mmask16 left = look(_mm512_maskz_loadu_ps(static_cast<__mmask16>(some), q), along),
+                    right =
+                        look(_mm512_maskz_loadu_ps(static_cast<__mmask16>(some >> 16U), q + 16), along + 16);
+    const __mmask32 near = _mm512_kunpackw(right, left);
     _mm512_mask_storeu_epi16(labels, some, _mm512_maskz_mov_epi16(near, label));
-    return _cvtmask32_u32(_kandn_mask32(near, _mm512_kunpackw(right.reads, left.reads)));
+    return __builtin_popcount(_cvtmask32_u32(near));
   }
 
  private:
-  struct Half {
-    __mmask16 reads, near;
-  };
-  Half look(__m512 reading, const float* along) const noexcept {
+  __mmask16 look(__m512 reading, const float* along) const noexcept {
     const __m512 r = _mm512_sub_ps(reading, _mm512_add_ps(first, _mm512_load_ps(along)));
     const __mmask16 reads = _mm512_cmp_ps_mask(reading, _mm512_setzero_ps(), _CMP_GT_OQ);
-    return {reads, _mm512_mask_cmp_ps_mask(reads, _mm512_abs_ps(r), limit, _CMP_LT_OQ)};
+    return _mm512_mask_cmp_ps_mask(reads, _mm512_abs_ps(r), limit, _CMP_LT_OQ);
   }
 };
 #else
@@ -116,35 +69,32 @@ struct Look {
         label(_mm256_set1_epi16(static_cast<std::int16_t>(block.label))) {}
   /// The plane is `at` in column 0.
   void begin(float at) noexcept { first = _mm256_set1_ps(at); }
-  /// Labels pixels; bits of those that are missed.
-  std::uint32_t all(const float* q, const float* along, std::uint16_t* labels) const noexcept {
-    const Half left = look(q, along), right = look(q + 8, along + 8);
-    const __m256i near = packed(left.near, right.near);
+  /// Labels pixels; how many are the plane's.
+  std::int32_t all(const float* q, const float* along, std::uint16_t* labels) const noexcept {
+    const __m256 left = look(q, along), right = look(q + 8, along + 8);
+    const __m256i near = packed(left, right);
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(labels), _mm256_and_si256(near, label));
-    return bits_of(left.missed) | bits_of(right.missed) << 8U;
+    return __builtin_popcount(bits_of(left) | bits_of(right) << 8U);
   }
   /// The same for fewer.
-  std::uint32_t first_of(const float* q, const float* along, std::int32_t count,
-                         std::uint16_t* labels) const noexcept {
+  std::int32_t first_of(const float* q, const float* along, std::int32_t count,
+                        std::uint16_t* labels) const noexcept {
     float readings[at_once] = {};
     std::uint16_t found[at_once];
     for (std::int32_t i = 0; i < count; ++i) readings[i] = q[i];
-    const std::uint32_t missed = all(readings, along, found);
+    const std::int32_t near = all(readings, along, found);
     for (std::int32_t i = 0; i < count; ++i) labels[i] = found[i];
-    return missed;
+    return near;
   }
 
  private:
-  struct Half {
-    __m256 near, missed;
-  };
-  Half look(const float* q, const float* along) const noexcept {
+  __m256 look(const float* q, const float* along) const noexcept {
     const __m256 reading = _mm256_loadu_ps(q);
     const __m256 r = _mm256_sub_ps(reading, _mm256_add_ps(first, _mm256_load_ps(along)));
     const __m256 size = _mm256_andnot_ps(_mm256_set1_ps(-0.0F), r);
     const __m256 reads = _mm256_cmp_ps(reading, _mm256_setzero_ps(), _CMP_GT_OQ);
     const __m256 inside = _mm256_cmp_ps(size, limit, _CMP_LT_OQ);
-    return {_mm256_and_ps(inside, reads), _mm256_andnot_ps(inside, reads)};
+    return _mm256_and_ps(inside, reads);
   }
   static std::uint32_t bits_of(__m256 marks) noexcept {
     return static_cast<std::uint32_t>(_mm256_movemask_ps(marks));
@@ -159,31 +109,20 @@ struct Look {
 
 }  // namespace
 
-void label_block(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride,
-                 double* sums) noexcept {
+std::int32_t label_block(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride) noexcept {
   // Labels might be the block, for all the compiler knows.
   const DepthBlock b = block;
   Look look(b);
   const Slopes slopes(static_cast<float>(b.along), b.width);
-  const std::int32_t whole = b.width / at_once * at_once;
-  Sums left(sums);
+  const std::int32_t whole = b.width / at_once * at_once, rest = b.width - whole;
   const float* q = b.rows.first;
+  std::int32_t count = 0;
   for (std::int32_t y = 0; y < b.height; ++y, labels += stride, q += b.rows.stride) {
     look.begin(static_cast<float>(b.at + b.down * y));
-    Missed missed;
-    const double v = b.top + y;
-    for (std::int32_t x = 0; x < whole; x += at_once) {
-      const std::uint32_t some = look.all(q + x, slopes.along + x, labels + x);
-      if (some != 0) missed.add(some, q + x, b.left + x, v);
-    }
-    if (whole < b.width) {
-      const std::uint32_t some =
-          look.first_of(q + whole, slopes.along + whole, b.width - whole, labels + whole);
-      if (some != 0) missed.add(some, q + whole, b.left + whole, v);
-    }
-    if (missed.n > 0) left.subtract(missed, v);
+    for (std::int32_t x = 0; x < whole; x += at_once) count += look.all(q + x, slopes.along + x, labels + x);
+    if (rest > 0) count += look.first_of(q + whole, slopes.along + whole, rest, labels + whole);
   }
-  left.store(sums);
+  return count;
 }
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
