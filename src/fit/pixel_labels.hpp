@@ -27,7 +27,8 @@ struct PixelLabeller {
   /// those do that are found too small only in the end.
   std::span<std::uint16_t> shown;
 
-  /// `moments`: sums of each label's pixels on the way. `scratch`: one entry a cell.
+  /// `moments`: of each plane's cells, multiplied so that n is the number of its pixels. `scratch`: one entry
+  /// a cell.
   void label(ImageView<std::uint16_t> labels, std::span<InverseDepthMoments> moments,
              std::span<std::uint16_t> scratch) const noexcept;
 

@@ -211,6 +211,46 @@ TEST_CASE("every set of kernels joins cells as the plain one, and no reading is 
   });
 }
 
+TEST_CASE("every set of kernels marks the cells that are full and fit their plane, and no others") {
+  for_sets_and_seeds(300, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t) {
+    Numbers cells = cells_by_chance(random);
+    Surfaces surfaces(random);
+    DepthWholeCells task{{cells.data() + random.below(100), apart}};
+    task.cells = 1 + static_cast<std::int32_t>(random.below(200));
+    task.readings = 16;
+    task.noise = random.below(4) == 0 ? 0.0F : 1e-3F;
+    task.noise_of_square = 4e-3F;
+    task.most = static_cast<float>(uniform(random, 1, 10));
+    for (std::int32_t i = 0; i < task.cells; ++i) {
+      if (random.below(2) == 0) task.at.first[i] = task.readings;
+    }
+    std::vector<std::uint16_t> labels(static_cast<std::size_t>(task.cells) + 1), before, plain;
+    for (std::uint16_t& label : labels) {
+      label = static_cast<std::uint16_t>(random.below(static_cast<std::uint32_t>(surfaces.count) + 1));
+      if (random.below(8) == 0) label = DepthWholeCells::border;
+    }
+    before = plain = labels;
+    kernels.mark_whole(task, surfaces.view(), labels.data());
+    plain_depth_kernels.mark_whole(task, surfaces.view(), plain.data());
+    CHECK(labels == plain);
+    CHECK(labels.back() == before.back());
+    for (std::size_t i = 0; i + 1 < labels.size(); ++i) {
+      const bool has_plane = before[i] != 0 && before[i] != DepthWholeCells::border;
+      const auto at = static_cast<std::ptrdiff_t>(i);
+      const DepthCell cell = cell_at({task.at.first + at, apart});
+      if (!has_plane || cell.n != task.readings) {
+        REQUIRE(labels[i] == before[i]);
+        continue;
+      }
+      const float noise = std::max(task.noise, task.noise_of_square * cell.q * cell.q);
+      const double limit = static_cast<double>(task.most * cell.n * noise * noise);
+      const auto squares = static_cast<double>(squared_residuals(cell, surfaces.at(before[i] - 1U)));
+      if (squares < limit * (1 - 1e-4)) REQUIRE(labels[i] == (before[i] | DepthWholeCells::mark));
+      if (squares > limit * (1 + 1e-4)) REQUIRE(labels[i] == before[i]);
+    }
+  });
+}
+
 TEST_CASE("every set of kernels chooses planes for cells as the plain one, which goes step by step") {
   std::size_t checked = 0, labelled = 0;
   for_sets_and_seeds(2000, [&](const DepthKernels& kernels, Pcg32& random, std::uint64_t) {
