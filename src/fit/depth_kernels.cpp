@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/depth_kernels.hpp"
 
-#include "base/kernel_set.hpp"
+#include "base/lanes.hpp"
 #include "depth_cell_kernels.hpp"
 #include "pixel_kernels.hpp"
 
@@ -10,13 +10,24 @@ namespace straightedge {
 namespace STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
+Lanes in_lanes(const std::uint16_t* from) noexcept {
+#if STRAIGHTEDGE_LANES > 1
+  using Units [[gnu::vector_size(STRAIGHTEDGE_LANES * 2)]] = std::uint16_t;
+  Units units;
+  std::memcpy(&units, from, sizeof units);
+  return __builtin_convertvector(__builtin_convertvector(units, Marks), Lanes);
+#else
+  return static_cast<float>(*from);
+#endif
+}
+
 void invert(const std::uint16_t* raw, std::int32_t width, float scale, float* inverse) noexcept {
-  for (std::int32_t x = 0; x < width; ++x) {
-    // 0/1 where there is no reading: a division without a branch around it goes many at a time.
-    const std::int32_t units = raw[x];
-    const std::int32_t missing = units == 0 ? 1 : 0;
-    inverse[x] = scale * static_cast<float>(1 - missing) / static_cast<float>(units + missing);
+  std::int32_t x = 0;
+  for (; x + lanes <= width; x += lanes) {
+    const Lanes units = in_lanes(raw + x);
+    store(inverse + x, units > all(0) ? all(scale) / units : all(0));
   }
+  for (; x < width; ++x) inverse[x] = raw[x] > 0 ? scale / static_cast<float>(raw[x]) : 0.0F;
 }
 
 constexpr std::int32_t cells_at_once = 64;

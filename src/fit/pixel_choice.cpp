@@ -5,10 +5,26 @@
 #include <algorithm>
 #include <array>
 
+#include "four_labels.hpp"
+
 namespace straightedge::detail {
+namespace {
+
+/// How many of the pixels have a label.
+std::int32_t count_of(std::uint16_t label,
+                      const std::array<std::uint16_t, DepthChoice::pixels>& chosen) noexcept {
+  std::uint64_t others = 0;  // four counts
+  for (std::size_t i = 0; i < chosen.size(); i += 4) {
+    others += not_zero(four(&chosen[i]) ^ label * four_ones) >> 15U;
+  }
+  return DepthChoice::pixels - static_cast<std::int32_t>(others * four_ones >> 48U);
+}
+
+}  // namespace
+
 PixelChoice::PixelChoice(const PixelLabeller& work, ImageView<std::uint16_t> labels,
                          std::span<InverseDepthMoments> moments) noexcept
-    : work_(work), labels_(labels), moments_(moments), choice_{}, at_border_{} {
+    : work_(work), labels_(labels), moments_(moments), choice_{}, flat_{}, at_border_{} {
   const PlaneGate& gate = work.gate;
   // As in PlaneGate::inverse_noise.
   const bool fixed = gate.fixed_m > 0;
@@ -24,8 +40,16 @@ void PixelChoice::label_cell(std::int32_t x, std::int32_t y) noexcept {
   const std::int32_t cell = DepthCells::side_of(finest), left = x * cell, top = y * cell;
   const std::int32_t right = std::min(left + cell, labels_.width),
                      bottom = std::min(top + cell, labels_.height);
+  choice_.planes = static_cast<std::int32_t>(around.count);
+  for (std::size_t k = 0; k < around.count; ++k) {
+    // Flat over the cell.
+    flat_[k] = work_.planes[around.labels[k] - 1U].tangent(left + cell / 2, top + cell / 2);
+    choice_.along[k] = static_cast<float>(flat_[k].a);
+    choice_.down[k] = static_cast<float>(flat_[k].b);
+    choice_.label[k] = work_.shown[around.labels[k] - 1U];
+  }
   for (std::int32_t j = top; j < bottom; j += side) {
-    for (std::int32_t i = left; i < right; i += side) label_square(i, j, around);
+    for (std::int32_t i = left; i < right; i += side) label_square(i, j);
   }
 }
 
@@ -41,26 +65,16 @@ DepthRows PixelChoice::look(std::int32_t left, std::int32_t top) noexcept {
   return {at_border_.data(), side_around};
 }
 
-void PixelChoice::label_square(std::int32_t left, std::int32_t top, const LabelsAround& near) noexcept {
+void PixelChoice::label_square(std::int32_t left, std::int32_t top) noexcept {
   choice_.around = look(left, top);
-  choice_.planes = static_cast<std::int32_t>(near.count);
-  for (std::size_t k = 0; k < near.count; ++k) {
-    // Flat over the square.
-    const InverseDepthPlane flat = work_.planes[near.labels[k] - 1U].tangent(left + side / 2, top + side / 2);
-    choice_.at[k] = static_cast<float>(flat.at(left, top));
-    choice_.along[k] = static_cast<float>(flat.a);
-    choice_.down[k] = static_cast<float>(flat.b);
-    choice_.label[k] = work_.shown[near.labels[k] - 1U];
-  }
+  const auto planes = static_cast<std::size_t>(choice_.planes);
+  for (std::size_t k = 0; k < planes; ++k) choice_.at[k] = static_cast<float>(flat_[k].at(left, top));
   std::array<std::uint16_t, DepthChoice::pixels> chosen;
   work_.kernels.choose(choice_, chosen.data());
   write(left, top, chosen.data());
-  for (std::size_t k = 0; k < near.count; ++k) {
+  for (std::size_t k = 0; k < planes; ++k) {
     const std::uint16_t label = choice_.label[k];
-    if (label == 0) continue;
-    std::int32_t count = 0;
-    for (const std::uint16_t each : chosen) count += each == label ? 1 : 0;
-    moments_[label - 1U].n += count;
+    if (label != 0) moments_[label - 1U].n += count_of(label, chosen);
   }
 }
 

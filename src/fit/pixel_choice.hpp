@@ -32,13 +32,14 @@ class PixelChoice {
 
   /// The square's pixels with those around it.
   DepthRows look(std::int32_t left, std::int32_t top) noexcept;
-  void label_square(std::int32_t left, std::int32_t top, const LabelsAround& near) noexcept;
+  void label_square(std::int32_t left, std::int32_t top) noexcept;
   void write(std::int32_t left, std::int32_t top, const std::uint16_t* chosen) const noexcept;
 
   const PixelLabeller& work_;
   ImageView<std::uint16_t> labels_;
   std::span<InverseDepthMoments> moments_;
   DepthChoice choice_;
+  std::array<InverseDepthPlane, DepthChoice::most_planes> flat_;
   std::array<float, std::size_t{side_around} * side_around> at_border_;
 };
 

@@ -242,14 +242,18 @@ void PixelLabeller::find_shown(std::span<const std::uint16_t> around,
   const float* readings = cells.rows(cells.finest(), 0).first;
   std::size_t i = 0;
   for (std::int32_t y = 0; y < size.height; ++y) {
-    for (std::int32_t x = 0; x < size.width; ++x, ++i) {
-      const auto count = static_cast<double>(readings[i]);
-      if (around[i] != border) {
-        if (around[i] != none) most[around[i] - 1U].n += count;
+    for (std::int32_t x = 0; x < size.width;) {
+      const std::uint16_t state = around[i];
+      std::int32_t count = 0;
+      if (state == border) {
+        count = static_cast<std::int32_t>(readings[i]);
+        const LabelsAround near(size, cell_labels, x, y);
+        for (std::size_t k = 0; k < near.count; ++k) most[near.labels[k] - 1U].n += count;
+        ++x, ++i;
         continue;
       }
-      const LabelsAround near(size, cell_labels, x, y);
-      for (std::size_t k = 0; k < near.count; ++k) most[near.labels[k] - 1U].n += count;
+      for (; x < size.width && around[i] == state; ++x, ++i) count += static_cast<std::int32_t>(readings[i]);
+      if (state != none) most[state - 1U].n += count;
     }
   }
   for (std::size_t k = 0; k < most.size(); ++k) {
