@@ -43,7 +43,7 @@ std::string words_of(const MethodRun& method, std::uint64_t readings) {
   std::string words = "\n  " + name_of(method.method) + ": " + count(frame_planes(method), "plane") +
                       " in the frames, on " + io::to_text(share, 1) + " % of the readings";
   if (const std::uint64_t far = out_of_range(method); far > 0)
-    words += "\n    " + count(far, "reading") + " beyond the 65 km that a map covers left out";
+    words += "\n    " + count(far, "reading") + " beyond the 131 km that a map covers left out";
   words += "\n    map: " + count(report.planes, "plane") + " (dropped: " + io::to_text(report.too_few) +
            " with few readings, " + count(report.fragments, "fragment") + ", " +
            io::to_text(report.too_vague) + " of vague tilt, " + io::to_text(report.too_rough) +

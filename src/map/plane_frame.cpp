@@ -118,7 +118,7 @@ Result<Done> check_pose(const Pose& pose) {
   const Vector3& t = pose.translation;
   const double farthest = std::max({std::abs(t.x), std::abs(t.y), std::abs(t.z)});
   if (!(farthest < plane_grid::reach_m))
-    return Failure{Problem::bad_content, "the frame's pose lies more than 65 km from the world's origin"};
+    return Failure{Problem::bad_content, "the frame's pose lies more than 131 km from the world's origin"};
   return Done{};
 }
 

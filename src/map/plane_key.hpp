@@ -40,7 +40,7 @@ std::uint32_t direction_bin(const GridNormal& normal) noexcept;
 
 /// Surfaces of one direction are told apart by their offset from the leaf's centre, in steps of 1/64 m.
 inline constexpr int offset_bins = 16;
-inline constexpr double offset_step = 64;  ///< quanta
+inline constexpr double offset_step = 32;  ///< quanta
 std::uint32_t surface_bin(std::uint32_t direction, double offset_quanta) noexcept;
 inline constexpr std::uint32_t surface_bins = 6 * 81 * offset_bins;
 

@@ -9,7 +9,7 @@
 namespace straightedge {
 namespace {
 
-constexpr int block_level = 4;
+constexpr int block_level = 3;
 
 std::uint64_t block_of(const PlaneLeaf& leaf) {
   return leaf.key.leaf >> (3 * block_level);

@@ -16,13 +16,13 @@ namespace straightedge {
 /// everywhere and for every map, so that the sums of two maps of one world frame can simply be added.
 /// Quantum i of an axis stands for the coordinate (i + 1/2) · quantum_m.
 namespace plane_grid {
-inline constexpr double quanta_per_m = 4096;
+inline constexpr double quanta_per_m = 2048;
 inline constexpr double quantum_m = 1 / quanta_per_m;
-inline constexpr int leaf_bits = 8;                        ///< 256 quanta: a leaf has sides of 1/16 m
+inline constexpr int leaf_bits = 8;                        ///< 256 quanta: a leaf has sides of 1/8 m
 inline constexpr std::int32_t leaf_side = 1 << leaf_bits;  ///< quanta
 inline constexpr double leaf_m = leaf_side * quantum_m;    ///< metres
 inline constexpr int axis_bits = morton_levels;            ///< leaves along an axis: 2^21
-inline constexpr double reach_m = leaf_m * (1 << (axis_bits - 1));  ///< the grid covers ±65536 m
+inline constexpr double reach_m = leaf_m * (1 << (axis_bits - 1));  ///< the grid covers ±131072 m
 inline constexpr double weight_unit = 16;                           ///< one unit of weight, 1/m²
 inline constexpr std::int64_t most_weight = 1 << 16;                ///< of one reading: sigma 1 mm
 inline constexpr double normal_unit = 1.0 / 16384;                  ///< of a unit normal's coordinates

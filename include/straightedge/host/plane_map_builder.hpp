@@ -51,7 +51,7 @@ struct PlaneAnchors {
 struct RegisteredFrame {
   std::uint64_t placed = 0;          ///< readings that are in the map now
   std::uint64_t off_plane = 0;       ///< labelled, but nowhere near their plane
-  std::uint64_t out_of_range = 0;    ///< beyond the grid's ±65 km
+  std::uint64_t out_of_range = 0;    ///< beyond the grid's ±131 km
   std::vector<PlaneAnchors> planes;  ///< one a frame plane
 };
 
