@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -14,9 +15,16 @@ struct PlanePoint {
   constexpr bool operator==(const PlanePoint&) const noexcept = default;
 };
 
-/// A rectangle of a plane in which there are readings.
+/// |a − lean · b| <= half, counted from the middle of the piece.
+struct ExtentStrip {
+  double lean = 0, half = 1e9;
+};
+
+/// A part of a plane in which there are readings: what two oblique strips through the middle of a rectangle
+/// leave of it.
 struct ExtentPiece {
   double a0 = 0, a1 = 0, b0 = 0, b1 = 0;
+  std::array<ExtentStrip, 2> strips{};
 };
 
 /// A closed border: outer ones run counter-clockwise, holes clockwise.

@@ -26,18 +26,10 @@ Result<Done> check_labels(std::uint32_t largest, std::size_t planes) {
   return Failure{Problem::bad_content, "label " + std::to_string(largest) + " of the frame has no plane"};
 }
 
-std::uint16_t largest_label(ImageView<const std::uint16_t> labels, const PlaneRowKernels& kernels) {
-  std::uint16_t largest = 0;
-  for (std::int32_t y = 0; y < labels.height; ++y)
-    largest = std::max(largest, kernels.largest_label(labels.row(y), labels.width));
-  return largest;
-}
-
 Result<std::vector<FramePlane>> prepare_frame(const PlaneMapOptions& options, const PlaneLeaves& leaves,
-                                              std::uint64_t readings, std::uint16_t largest,
-                                              std::span<const FoundPlane> planes, const Pose& pose) {
+                                              std::uint64_t readings, std::span<const FoundPlane> planes,
+                                              const Pose& pose) {
   if (const auto good = check_options(options); !good) return good.failure();
-  if (const auto good = check_labels(largest, planes.size()); !good) return good.failure();
   if (const auto good = check_pose(pose); !good) return good.failure();
   if (leaves.fullest() + readings > plane_grid::most_readings)
     return refusal("a leaf of the plane map cannot sum more readings");
@@ -97,15 +89,15 @@ Result<RegisteredFrame> PlaneMapBuilder::add(const DepthView& depth, ImageView<c
   if (!depth.valid() || !labels.valid()) return refusal("the frame has no pixels or no camera");
   if (depth.raw.size() != labels.size()) return refusal("the frame and its labels differ in size");
   const auto pixels = static_cast<std::uint64_t>(labels.width) * static_cast<std::uint64_t>(labels.height);
-  const auto ready =
-      prepare_frame(options_, leaves_, pixels, largest_label(labels, *kernels_), planes, world_from_camera);
+  const auto ready = prepare_frame(options_, leaves_, pixels, planes, world_from_camera);
   if (!ready) return ready.failure();
   const double focal = std::min(std::abs(depth.camera.fx), std::abs(depth.camera.fy));
   PlaneRuns runs(runs_, slots_);
-  const LeftOut out = register_depth(depth, labels, *ready, world_from_camera, runs, *kernels_);
+  const PlaneRowCounts counts = register_depth(depth, labels, *ready, world_from_camera, runs, *kernels_);
+  if (const auto good = check_labels(counts.largest_label, planes.size()); !good) return good.failure();
   RegisteredFrame frame = LeafWriter(leaves_, *ready, {world_from_camera, focal}).put(runs.all());
-  frame.off_plane = out.off_plane;
-  frame.out_of_range = out.out_of_range;
+  frame.off_plane = counts.labelled - counts.near_plane;
+  frame.out_of_range = counts.out_of_range;
   return frame;
 }
 
@@ -115,13 +107,14 @@ Result<RegisteredFrame> PlaneMapBuilder::add(const PointsView& points, std::span
   if (!points.valid()) return refusal("the cloud has no points");
   if (points.count != labels.size()) return refusal("the cloud and its labels differ in size");
   const std::uint16_t largest = *std::max_element(labels.begin(), labels.end());
-  const auto ready = prepare_frame(options_, leaves_, points.count, largest, planes, world_from_sensor);
+  if (const auto good = check_labels(largest, planes.size()); !good) return good.failure();
+  const auto ready = prepare_frame(options_, leaves_, points.count, planes, world_from_sensor);
   if (!ready) return ready.failure();
   PlaneRuns runs(runs_, slots_);
-  const LeftOut out = register_points(points, labels, *ready, world_from_sensor, runs);
+  const PlaneRowCounts counts = register_points(points, labels, *ready, world_from_sensor, runs);
   RegisteredFrame frame = LeafWriter(leaves_, *ready, {world_from_sensor, 0}).put(runs.all());
-  frame.off_plane = out.off_plane;
-  frame.out_of_range = out.out_of_range;
+  frame.off_plane = counts.labelled - counts.near_plane;
+  frame.out_of_range = counts.out_of_range;
   return frame;
 }
 

@@ -11,18 +11,28 @@
 namespace straightedge {
 namespace {
 
+constexpr double least_variance = 1e-9;  // m²
+constexpr double least_lean = 1e-3;
+
 ExtentPiece covered_by_leaf(const PlaneChart& chart, const PlaneLeaf& leaf) {
   const Surface s = surface_of(leaf, leaf_centre(morton_decode(leaf.key.leaf)));
   const double weight = s.moments.weight;
   const PlanePoint mean = chart.on(s.origin + (1 / weight) * Vector3{s.moments.x, s.moments.y, s.moments.z});
   const auto scatter = scatter_of(s.moments);
   const double spacing = leaf.sums.spacing == plane_grid::no_spacing ? 0 : leaf.sums.spacing;
-  const auto half = [&](const Vector3& axis) {
-    const double variance = std::max(0.0, quadratic(scatter, axis) / weight);
-    return __builtin_sqrt(3 * variance) + spacing * plane_grid::quantum_m / 2;
+  const double margin = spacing * plane_grid::quantum_m / 2;
+  const double a = std::max(least_variance, quadratic(scatter, chart.u) / weight);
+  const double b = std::max(least_variance, quadratic(scatter, chart.v) / weight);
+  const double ab = bilinear(scatter, chart.u, chart.v) / weight;
+  const auto half = [margin](double variance) {
+    return __builtin_sqrt(3 * std::max(0.0, variance)) + margin;
   };
-  const double a = half(chart.u), b = half(chart.v);
-  return {mean.a - a, mean.a + a, mean.b - b, mean.b + b};
+  ExtentPiece piece{mean.a - half(a), mean.a + half(a), mean.b - half(b), mean.b + half(b), {}};
+  piece.strips[0] = {ab / b, half(a - ab * ab / b)};
+  const double steep = ab / a;
+  if (steep > least_lean || steep < -least_lean)
+    piece.strips[1] = {1 / steep, half(b - ab * ab / a) / (steep < 0 ? -steep : steep)};
+  return piece;
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "map/plane_raster.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "straightedge/rounding.hpp"
@@ -13,50 +12,70 @@ namespace {
 
 constexpr double most_cells = 1 << 24;
 
-/// What `value` does to another cell's value where it spreads.
-std::uint8_t spread(std::uint8_t value, std::uint8_t a, std::uint8_t b) {
-  return value != 0 ? a | b : a & b;
+/// What a cell makes of another one when `value` spreads; of 64 cells at once.
+std::uint64_t spread(bool value, std::uint64_t a, std::uint64_t b) {
+  return value ? a | b : a & b;
 }
 
 /// to[i] = spread(a[i], b[i]); `to` may be `a`.
-void spread(std::uint8_t value, const std::uint8_t* a, const std::uint8_t* b, std::uint8_t* to,
+void spread(bool value, const std::uint64_t* a, const std::uint64_t* b, std::uint64_t* to,
             std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) to[i] = spread(value, a[i], b[i]);
 }
 
-/// Every line gets the value where one of `window` lines from it on has it: lines of a power of two first,
-/// two of which then overlap. There are `lines + window − 1` lines before, of which `lines` are left.
-void spread_lines(std::vector<std::uint8_t>& cells, std::size_t lines, std::size_t length, std::size_t window,
-                  std::uint8_t value) {
+/// The 64 bits from bit n on, where bits behind the end are 0.
+std::uint64_t bits_from(const std::vector<std::uint64_t>& words, std::size_t n) {
+  const std::size_t word = n / 64, bit = n % 64;
+  const std::uint64_t low = word < words.size() ? words[word] : 0;
+  const std::uint64_t high = word + 1 < words.size() ? words[word + 1] : 0;
+  return low >> bit | high << 1U << (63 - bit);
+}
+
+/// Every bit gets the value where the one `distance` bits later has it.
+void spread_bits(std::vector<std::uint64_t>& words, std::size_t distance, bool value) {
+  if (distance / 64 + 1 >= words.size() || distance % 64 == 0) {
+    for (std::size_t i = 0; i < words.size(); ++i)
+      words[i] = spread(value, words[i], bits_from(words, 64 * i + distance));
+    return;
+  }
+  const std::size_t ahead = distance / 64, bit = distance % 64, inner = words.size() - ahead - 1;
+  std::uint64_t* const to = words.data();
+  for (std::size_t i = 0; i < inner; ++i)
+    to[i] = spread(value, to[i], to[i + ahead] >> bit | to[i + ahead + 1] << (64 - bit));
+  for (std::size_t i = inner; i < words.size(); ++i)
+    words[i] = spread(value, words[i], bits_from(words, 64 * i + distance));
+}
+
+/// A cell gets the value when one within `reach` on its row has it. All rows are one string of bits: where one
+/// ends and the next begins nothing is covered as far as that reaches. Windows of a power of two first, two of
+/// which then overlap.
+void grow_rows(Raster& raster, std::size_t reach, bool value) {
+  const std::size_t window = 2 * reach + 1;
+  std::size_t width = 1;
+  for (; 2 * width <= window; width *= 2) spread_bits(raster.words, width, value);
+  spread_bits(raster.words, window - width, value);
+  std::vector<std::uint64_t> moved(raster.words.size() + reach / 64 + 1);
+  const std::size_t words = reach / 64, bit = reach % 64;
+  for (std::size_t i = 0; i < raster.words.size(); ++i) {
+    moved[i + words] |= raster.words[i] << bit;
+    moved[i + words + 1] = raster.words[i] >> 1U >> (63 - bit);
+  }
+  std::copy_n(moved.begin(), raster.words.size(), raster.words.begin());
+}
+
+/// The same on columns, 64 of them at once.
+void grow_columns(Raster& raster, std::size_t reach, bool value) {
+  const auto lines = static_cast<std::size_t>(raster.height);
+  const std::size_t length = raster.pitch, window = 2 * reach + 1;
+  std::vector<std::uint64_t> cells((lines + 2 * reach) * length);
+  std::copy(raster.words.begin(), raster.words.end(),
+            cells.begin() + static_cast<std::ptrdiff_t>(reach * length));
   std::size_t width = 1;
   for (; 2 * width <= window; width *= 2) {
     const std::size_t left = (lines + window - 2 * width) * length;
     spread(value, cells.data(), cells.data() + width * length, cells.data(), left);
   }
-  spread(value, cells.data(), cells.data() + (window - width) * length, cells.data(), lines * length);
-}
-
-/// A cell is grown over when one within `reach` on its row is covered.
-void grow_rows(Raster& raster, std::size_t reach, std::uint8_t value) {
-  const auto width = static_cast<std::size_t>(raster.width);
-  std::vector<std::uint8_t> line(width + 2 * reach);
-  for (std::int32_t y = 0; y < raster.height; ++y) {
-    const auto row = raster.cells.begin() + static_cast<std::ptrdiff_t>(raster.index(0, y));
-    std::fill(line.begin(), line.end(), static_cast<std::uint8_t>(1 - value));
-    std::copy_n(row, width, line.begin() + static_cast<std::ptrdiff_t>(reach));
-    spread_lines(line, width, 1, 2 * reach + 1, value);
-    std::copy_n(line.begin(), width, row);
-  }
-}
-
-/// The same on columns.
-void grow_columns(Raster& raster, std::size_t reach, std::uint8_t value) {
-  const auto width = static_cast<std::size_t>(raster.width), height = static_cast<std::size_t>(raster.height);
-  std::vector<std::uint8_t> cells((height + 2 * reach) * width, static_cast<std::uint8_t>(1 - value));
-  std::copy(raster.cells.begin(), raster.cells.end(),
-            cells.begin() + static_cast<std::ptrdiff_t>(reach * width));
-  spread_lines(cells, height, width, 2 * reach + 1, value);
-  std::copy_n(cells.begin(), raster.cells.size(), raster.cells.begin());
+  spread(value, cells.data(), cells.data() + (window - width) * length, raster.words.data(), lines * length);
 }
 
 /// Cells of one value without a gap, and the region that they belong to.
@@ -80,46 +99,44 @@ void join(std::vector<CellRun>& runs, std::uint32_t a, std::uint32_t b) {
   runs[a].cells += runs[b].cells;
 }
 
-const std::uint8_t* find(const std::uint8_t* begin, const std::uint8_t* end, std::uint8_t value) {
-  const void* const found = std::memchr(begin, value, static_cast<std::size_t>(end - begin));
-  return found != nullptr ? static_cast<const std::uint8_t*>(found) : end;
+/// The first cell from x on, before the end, that has the value; else the end.
+std::int32_t find(const std::uint64_t* row, std::int32_t x, std::int32_t end, bool value) {
+  while (x < end) {
+    const std::uint64_t word = value ? row[x / 64] : ~row[x / 64];
+    const std::uint64_t rest = word >> (static_cast<unsigned>(x) % 64);
+    if (rest != 0) return std::min<std::int32_t>(x + __builtin_ctzll(rest), end);
+    x = (x / 64 + 1) * 64;
+  }
+  return end;
 }
 
 /// Runs of that value row by row, joined into connected regions.
-std::vector<CellRun> regions_of(const Raster& raster, std::uint8_t value, bool by_corners) {
+std::vector<CellRun> regions_of(const Raster& raster, bool value, bool by_corners) {
   const std::int32_t reach = by_corners ? 1 : 0;
   std::vector<CellRun> runs;
   std::size_t above = 0;  // first run of the row before that may touch
   for (std::int32_t y = 0; y < raster.height; ++y) {
-    const std::uint8_t* const row = raster.cells.data() + raster.index(0, y);
-    const std::uint8_t* const row_end = row + raster.width;
+    const std::uint64_t* const row = raster.row(y);
     const std::size_t row_begin = runs.size();
-    for (const std::uint8_t* at = find(row, row_end, value); at != row_end; at = find(at, row_end, value)) {
-      const std::uint8_t* const begin = at;
-      at = find(at, row_end, static_cast<std::uint8_t>(1 - value));
+    for (std::int32_t x0 = find(row, 0, raster.width, value); x0 < raster.width;) {
+      const std::int32_t x1 = find(row, x0, raster.width, !value);
       const auto index = static_cast<std::uint32_t>(runs.size());
-      const auto x0 = static_cast<std::int32_t>(begin - row), x1 = static_cast<std::int32_t>(at - row);
       runs.push_back({y, x0, x1, index, static_cast<std::uint64_t>(x1 - x0)});
       while (above < row_begin && runs[above].end + reach <= x0) ++above;
       for (std::size_t other = above; other < row_begin && runs[other].begin < x1 + reach; ++other)
         join(runs, static_cast<std::uint32_t>(other), index);
+      x0 = find(row, x1, raster.width, value);
     }
     above = row_begin;
   }
   return runs;
 }
 
-void set_run(Raster& raster, const CellRun& run, std::uint8_t value) {
-  std::fill_n(raster.cells.begin() + static_cast<std::ptrdiff_t>(raster.index(run.begin, run.y)),
-              run.end - run.begin, value);
-}
-
-/// 1 where a cell is covered and the one below it is not.
-std::vector<std::uint8_t> lower_borders(const Raster& raster) {
-  const auto width = static_cast<std::size_t>(raster.width);
-  std::vector<std::uint8_t> lower(raster.cells.size(), 0);
-  for (std::size_t i = width; i < lower.size(); ++i)
-    lower[i] = static_cast<std::uint8_t>(raster.cells[i] & (raster.cells[i - width] ^ 1U));
+/// Cells that are covered while the ones below them are not.
+Raster lower_borders(const Raster& raster) {
+  Raster lower = raster;
+  for (std::size_t i = raster.pitch; i < lower.words.size(); ++i)
+    lower.words[i] &= ~raster.words[i - raster.pitch];
   return lower;
 }
 
@@ -137,37 +154,59 @@ double cell_area(const Raster& raster, std::size_t cells) {
 
 }  // namespace
 
+Raster::Raster(std::int32_t columns, std::int32_t rows)
+    : width(columns),
+      height(rows),
+      pitch(static_cast<std::size_t>(columns) / 64 + 1),
+      words(static_cast<std::size_t>(rows) * pitch) {}
+
+void Raster::set(std::int32_t y, std::int32_t begin, std::int32_t end, bool value) {
+  std::uint64_t* const words_of_row = row(y);
+  for (std::int32_t x = begin; x < end;) {
+    const std::int32_t next = std::min((x / 64 + 1) * 64, end);
+    const std::uint64_t some = ~std::uint64_t{0} >> static_cast<unsigned>(64 - (next - x));
+    const std::uint64_t bits = some << (static_cast<unsigned>(x) % 64);
+    std::uint64_t& word = words_of_row[x / 64];
+    word = value ? word | bits : word & ~bits;
+    x = next;
+  }
+}
+
 Raster raster_for(std::span<const ExtentPiece> pieces, double cell, double margin) {
   ExtentPiece all = pieces.front();
   for (const ExtentPiece& p : pieces) {
-    all = {std::min(all.a0, p.a0), std::max(all.a1, p.a1), std::min(all.b0, p.b0), std::max(all.b1, p.b1)};
+    all = {std::min(all.a0, p.a0), std::max(all.a1, p.a1), std::min(all.b0, p.b0), std::max(all.b1, p.b1), {}};
   }
   const double wide = all.a1 - all.a0 + 2 * margin, high = all.b1 - all.b0 + 2 * margin;
   while ((wide / cell + 6) * (high / cell + 6) > most_cells) cell *= 2;
-  Raster raster;
-  raster.cell = cell;
   // On multiples of the cell, so that lots of one plane fit together.
   const auto first = [&](double low) { return floor_to_integer((low - margin) / cell) - 2; };
   const auto count = [&](double low, double high_end) {
     return static_cast<std::int32_t>(floor_to_integer((high_end + margin) / cell) + 3 - first(low));
   };
+  Raster raster(count(all.a0, all.a1), count(all.b0, all.b1));
+  raster.cell = cell;
   raster.origin = {static_cast<double>(first(all.a0)) * cell, static_cast<double>(first(all.b0)) * cell};
-  raster.width = count(all.a0, all.a1);
-  raster.height = count(all.b0, all.b1);
-  raster.cells.assign(raster.index(0, raster.height), 0);
   return raster;
 }
 
 void paint(Raster& raster, const ExtentPiece& piece) {
-  const auto cell = [&](double from_origin) {
-    return static_cast<std::int32_t>(nearest_cell(from_origin / raster.cell));
+  const double per_cell = 1 / raster.cell;
+  const auto cell = [per_cell](double from_origin) {
+    return static_cast<std::int32_t>(nearest_cell(from_origin * per_cell));
   };
-  const std::int32_t x0 = cell(piece.a0 - raster.origin.a), x1 = cell(piece.a1 - raster.origin.a);
+  const double a = (piece.a0 + piece.a1) / 2 - raster.origin.a, b = (piece.b0 + piece.b1) / 2 - raster.origin.b;
+  const double wide = (piece.a1 - piece.a0) / 2;
   const std::int32_t y0 = cell(piece.b0 - raster.origin.b), y1 = cell(piece.b1 - raster.origin.b);
-  const std::int32_t wide = std::max(x1 - x0, 1);
   for (std::int32_t y = y0; y < std::max(y1, y0 + 1); ++y) {
-    std::uint8_t* const row = &raster.cells[raster.index(x0, y)];
-    for (std::int32_t x = 0; x < wide; ++x) row[x] = 1;
+    const double up = (y + 0.5) * raster.cell - b;
+    double left = -wide, right = wide;
+    for (const ExtentStrip& strip : piece.strips) {
+      left = std::max(left, strip.lean * up - strip.half);
+      right = std::min(right, strip.lean * up + strip.half);
+    }
+    const std::int32_t x0 = cell(a + std::min(left, wide));
+    raster.set(y, x0, std::max(cell(a + std::max(right, -wide)), x0 + 1), true);
   }
 }
 
@@ -193,7 +232,7 @@ void paint(Raster& raster, std::span<const ExtentLoop> loops) {
       const auto column = [&](double a) {
         return static_cast<std::int32_t>(-floor_to_integer(0.5 - (a - raster.origin.a) / raster.cell));
       };
-      for (std::int32_t x = column(row[i]); x < column(row[i + 1]); ++x) raster.cells[raster.index(x, y)] = 1;
+      raster.set(y, column(row[i]), column(row[i + 1]), true);
     }
   }
 }
@@ -203,25 +242,25 @@ void close_gaps(Raster& raster, double max_gap) {
   if (cells < 1) return;
   const auto reach =
       static_cast<std::size_t>(std::min<std::int64_t>(cells, std::max(raster.width, raster.height)));
-  for (const std::uint8_t value : {std::uint8_t{1}, std::uint8_t{0}}) {
+  for (const bool value : {true, false}) {
     grow_rows(raster, reach, value);
     grow_columns(raster, reach, value);
   }
 }
 
 void fill_holes(Raster& raster, double max_hole) {
-  std::vector<CellRun> runs = regions_of(raster, 0, true);
+  std::vector<CellRun> runs = regions_of(raster, false, true);
   for (std::uint32_t i = 0; i < runs.size(); ++i) {
     const std::uint32_t first = first_of(runs, i);
     if (first == 0 || cell_area(raster, runs[first].cells) >= max_hole) continue;  // 0: the outside
-    set_run(raster, runs[i], 1);
+    raster.set(runs[i].y, runs[i].begin, runs[i].end, true);
   }
 }
 
 void drop_islands(Raster& raster, double min_area) {
-  std::vector<CellRun> runs = regions_of(raster, 1, false);
+  std::vector<CellRun> runs = regions_of(raster, true, false);
   for (std::uint32_t i = 0; i < runs.size(); ++i) {
-    if (cell_area(raster, runs[first_of(runs, i)].cells) < min_area) set_run(raster, runs[i], 0);
+    if (cell_area(raster, runs[first_of(runs, i)].cells) < min_area) raster.set(runs[i].y, runs[i].begin, runs[i].end, false);
   }
 }
 
@@ -230,16 +269,19 @@ std::vector<CellLoop> cell_borders(const Raster& raster) {
   constexpr std::int32_t step_x[] = {1, 0, -1, 0}, step_y[] = {0, 1, 0, -1};
   constexpr std::int32_t left_x[] = {0, -1, -1, 0}, left_y[] = {0, 0, -1, -1};  // cell ahead, on the left
   // Cells whose lower side is a border that has not been walked along.
-  std::vector<std::uint8_t> lower = lower_borders(raster);
+  Raster lower = lower_borders(raster);
   std::vector<CellLoop> loops;
-  const std::uint8_t* const end = lower.data() + lower.size();
-  for (const std::uint8_t* start = find(lower.data(), end, 1); start != end; start = find(start, end, 1)) {
-    const auto index = static_cast<std::int32_t>(start - lower.data());
-    const std::int32_t x = index % raster.width, y = index / raster.width;
+  for (std::int32_t y = 0, x = 0; y < raster.height; ) {
+    x = find(lower.row(y), x, raster.width, true);
+    if (x == raster.width) {
+      ++y;
+      x = 0;
+      continue;
+    }
     CellLoop loop;
     std::int32_t px = x, py = y, heading = 0;
     do {
-      if (heading == 0) lower[raster.index(px, py)] = 0;
+      if (heading == 0) lower.set(py, px, px + 1, false);
       px += step_x[heading];
       py += step_y[heading];
       const std::int32_t right = (heading + 3) % 4;
@@ -254,7 +296,7 @@ std::vector<CellLoop> cell_borders(const Raster& raster) {
       loop.x.push_back(px);
       loop.y.push_back(py);
     } while (px != x || py != y || heading != 0);
-    loops.push_back(loop);
+    loops.push_back(std::move(loop));
   }
   return loops;
 }

@@ -11,18 +11,25 @@
 
 namespace straightedge {
 
-/// A binary picture of a part of a plane. Cell (x, y) covers [x, x + 1] · cell from the origin on, its rim is
-/// never covered.
+/// A binary picture of a part of a plane, a bit a cell. Cell (x, y) covers [x, x + 1] · cell from the origin
+/// on, its rim is never covered.
 struct Raster {
   PlanePoint origin;
   double cell = 0;
   std::int32_t width = 0, height = 0;
-  std::vector<std::uint8_t> cells;
+  std::size_t pitch = 0;             ///< words of a row
+  std::vector<std::uint64_t> words;  ///< row by row; bits beyond the width are 0
 
-  std::size_t index(std::int32_t x, std::int32_t y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  Raster() = default;
+  Raster(std::int32_t columns, std::int32_t rows);
+
+  std::uint64_t* row(std::int32_t y) { return words.data() + static_cast<std::size_t>(y) * pitch; }
+  const std::uint64_t* row(std::int32_t y) const { return words.data() + static_cast<std::size_t>(y) * pitch; }
+  bool covered(std::int32_t x, std::int32_t y) const {
+    return (row(y)[x / 64] >> (static_cast<unsigned>(x) % 64) & 1U) != 0;
   }
-  bool covered(std::int32_t x, std::int32_t y) const { return cells[index(x, y)] != 0; }
+  /// Covers the cells from begin to end of row y, or uncovers them.
+  void set(std::int32_t y, std::int32_t begin, std::int32_t end, bool value);
 };
 
 /// Empty, with room for the pieces and `margin` metres around them. At most 2^24 cells: they grow by powers

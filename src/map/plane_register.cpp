@@ -3,10 +3,10 @@
 #include "map/plane_register.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
-#include "map/plane_piece.hpp"
-#include "map/plane_place.hpp"
+#include "map/plane_bundle.hpp"
 #include "map/plane_run_search.hpp"
 
 namespace straightedge {
@@ -15,36 +15,32 @@ static_assert(plane_row::leaf_bits == plane_grid::leaf_bits && plane_row::grid_e
 
 namespace {
 
-/// The pose and the camera in one, in quanta of the grid: place = z (u along_u + v along_v + corner) +
-/// origin.
-struct GridCamera {
-  Vector3 along_u, along_v, corner, origin;
-};
-
-GridCamera grid_camera(const PinholeCamera& camera, const Pose& pose) {
-  const double q = plane_grid::quanta_per_m;
-  GridCamera grid;
-  grid.along_u = (q / camera.fx) * pose.turned({1, 0, 0});
-  grid.along_v = (q / camera.fy) * pose.turned({0, 1, 0});
-  grid.corner = q * pose.turned(camera.ray(0, 0));
-  grid.origin = q * pose.translation + Vector3{grid_middle, grid_middle, grid_middle};
-  return grid;
-}
-
 void set(double (&to)[3], const Vector3& v) {
   to[0] = v.x;
   to[1] = v.y;
   to[2] = v.z;
 }
 
+/// The pose and the camera in one.
+GridCamera grid_camera(const PinholeCamera& camera, const Pose& pose) {
+  const double q = plane_grid::quanta_per_m;
+  GridCamera grid;
+  set(grid.along_u, (q / camera.fx) * pose.turned({1, 0, 0}));
+  set(grid.along_v, (q / camera.fy) * pose.turned({0, 1, 0}));
+  set(grid.corner, q * pose.turned(camera.ray(0, 0)));
+  set(grid.origin, q * pose.translation + Vector3{grid_middle, grid_middle, grid_middle});
+  return grid;
+}
+
 std::vector<PixelPlane> pixel_planes(std::span<const FramePlane> planes, const PinholeCamera& camera) {
   std::vector<PixelPlane> all;
   all.reserve(planes.size());
   for (const FramePlane& plane : planes) {
+    const double by_distance = 1 / std::max(plane.in_camera.distance, 1e-6);
     PixelPlane p;
-    set(p.normal, plane.in_camera.normal);
-    p.by_distance = 1 / std::max(plane.in_camera.distance, 1e-6);
-    p.by_u = plane.in_camera.normal.x / camera.fx * p.by_distance;
+    p.by_u = plane.in_camera.normal.x / camera.fx * by_distance;
+    p.by_v = plane.in_camera.normal.y / camera.fy * by_distance;
+    p.constant = dot(plane.in_camera.normal, camera.ray(0, 0)) * by_distance;
     p.distance = plane.in_camera.distance * plane_grid::quanta_per_m;
     p.far_off = static_cast<std::int32_t>(std::min(0.5 * p.distance, plane_row::most_residual - 1.0));
     all.push_back(p);
@@ -52,13 +48,31 @@ std::vector<PixelPlane> pixel_planes(std::span<const FramePlane> planes, const P
   return all;
 }
 
-/// What all parts of rows have in common.
-PlaneRowPart part_of(const DepthView& depth, const GridCamera& grid) {
-  PlaneRowPart part;
-  part.metres_per_unit = depth.metres_per_unit;
-  set(part.along_u, grid.along_u);
-  set(part.origin, grid.origin);
-  return part;
+/// Where a picture's end cuts a row of squares: a copy with all of its pixels.
+struct RowCopy {
+  std::uint16_t raw[PlaneRow::side][PlaneRow::most_columns] = {};
+  std::uint16_t labels[PlaneRow::side][PlaneRow::most_columns] = {};
+};
+
+/// Shows the row the pixels from (row.u, row.v) on.
+void show(const DepthView& depth, ImageView<const std::uint16_t> labels, RowCopy& copy, PlaneRow& row) {
+  const std::int32_t wide = std::min(labels.width - row.u, PlaneRow::most_columns);
+  row.columns = (wide + PlaneRow::at_once - 1) / PlaneRow::at_once * PlaneRow::at_once;
+  for (std::int32_t y = 0; y < PlaneRow::side; ++y) {
+    const bool inside = row.v + y < labels.height;
+    if (inside && wide == row.columns) {
+      row.raw[y] = depth.raw.row(row.v + y) + row.u;
+      row.labels[y] = labels.row(row.v + y) + row.u;
+      continue;
+    }
+    if (inside) {
+      std::copy_n(depth.raw.row(row.v + y) + row.u, wide, copy.raw[y]);
+      std::copy_n(labels.row(row.v + y) + row.u, wide, copy.labels[y]);
+    }
+    std::fill(copy.labels[y] + (inside ? wide : 0), std::end(copy.labels[y]), std::uint16_t{0});
+    row.raw[y] = copy.raw[y];
+    row.labels[y] = copy.labels[y];
+  }
 }
 
 std::int32_t quanta(double x) {
@@ -71,37 +85,35 @@ bool on_grid(std::int32_t quanta) {
 
 }  // namespace
 
-LeftOut register_depth(const DepthView& depth, ImageView<const std::uint16_t> labels,
-                       std::span<const FramePlane> planes, const Pose& world_from_camera, PlaneRuns& runs,
-                       const PlaneRowKernels& kernels) {
-  LeftOut out;
-  const GridCamera grid = grid_camera(depth.camera, world_from_camera);
+PlaneRowCounts register_depth(const DepthView& depth, ImageView<const std::uint16_t> labels,
+                              std::span<const FramePlane> planes, const Pose& world_from_camera,
+                              PlaneRuns& runs, const PlaneRowKernels& kernels) {
+  PlaneRowCounts counts;
   const std::vector<PixelPlane> by_pixels = pixel_planes(planes, depth.camera);
-  PlaneRowPart part = part_of(depth, grid);
-  part.planes = by_pixels.data();
-  PlaneRowPlaces places;
-  for (std::int32_t y = 0; y < depth.raw.height; ++y) {
-    set(part.ray, depth.camera.ray(0, y));
-    set(part.row, static_cast<double>(y) * grid.along_v + grid.corner);
-    for (std::int32_t x = 0; x < labels.width; x += PlaneRowPart::most) {
-      part.raw = depth.raw.row(y) + x;
-      part.labels = labels.row(y) + x;
-      part.first = x;
-      part.to_row_end = labels.width - x;
-      part.count = std::min(part.to_row_end, PlaneRowPart::most);
-      kernels.add(part, places, runs.with_room_for(PlaneRowPart::most), out);
+  RowCopy copy;
+  PlaneRow row;
+  row.metres_per_unit = depth.metres_per_unit;
+  row.grid = grid_camera(depth.camera, world_from_camera);
+  row.planes = by_pixels.data();
+  row.plane_count = static_cast<std::uint32_t>(by_pixels.size());
+  for (row.v = 0; row.v < labels.height; row.v += PlaneRow::side) {
+    for (row.u = 0; row.u < labels.width; row.u += PlaneRow::most_columns) {
+      show(depth, labels, copy, row);
+      kernels.add(row, runs.with_room_for(PlaneRow::most_runs), counts);
     }
   }
-  return out;
+  return counts;
 }
 
-LeftOut register_points(const PointsView& points, std::span<const std::uint16_t> labels,
-                        std::span<const FramePlane> planes, const Pose& world_from_sensor, PlaneRuns& runs) {
-  LeftOut out;
+PlaneRowCounts register_points(const PointsView& points, std::span<const std::uint16_t> labels,
+                        std::span<const FramePlane> planes, const Pose& world_from_sensor,
+                               PlaneRuns& runs) {
+  PlaneRowCounts counts;
   for (std::size_t n = 0; n < points.count; ++n) {
     const std::uint16_t label = labels[n];
     const Vector3 reading = points.at(n);
     if (label == 0 || !finite(reading)) continue;
+    ++counts.labelled;
     // Step 1. Where noise runs along the ray, back along it; else straight.
     const FramePlane& plane = planes[label - 1U];
     const double beyond = plane.in_camera.signed_distance(reading);
@@ -109,9 +121,9 @@ LeftOut register_points(const PointsView& points, std::span<const std::uint16_t>
     const double distance = plane.in_camera.distance;
     const double reach = along_ray ? 0.5 * distance : 0.5 * length(reading);
     if ((along_ray && !(reading.z > 0)) || !(beyond >= -reach && beyond <= reach)) {
-      ++out.off_plane;
       continue;
     }
+    ++counts.near_plane;
     const Vector3 on_plane =
         along_ray ? (distance / (distance + beyond)) * reading : reading - beyond * plane.in_camera.normal;
     // Step 2.
@@ -119,15 +131,15 @@ LeftOut register_points(const PointsView& points, std::span<const std::uint16_t>
                           Vector3{grid_middle, grid_middle, grid_middle};
     const std::int32_t i = quanta(place.x), j = quanta(place.y), k = quanta(place.z);
     if (!on_grid(i) || !on_grid(j) || !on_grid(k)) {
-      ++out.out_of_range;
+      ++counts.out_of_range;
       continue;
     }
     // Step 3.
     detail::PlaneRun& run = plain::run_for(runs.with_room_for(1), plain::run_leaf(i, j, k), label, 1);
     const double residual = plain::bounded(beyond * plane_grid::quanta_per_m, plane_row::most_residual);
-    plain::add_reading(run, i, j, k, static_cast<std::int32_t>(residual));
+    plain::add_bundle(run, i, j, k, 1, static_cast<std::int64_t>(residual * residual));
   }
-  return out;
+  return counts;
 }
 
 }  // namespace straightedge

@@ -13,13 +13,14 @@
 
 namespace straightedge {
 
-/// Steps 1 to 3 of the builder, pixel by pixel. Labels are at most planes.size().
-LeftOut register_depth(const DepthView& depth, ImageView<const std::uint16_t> labels,
-                       std::span<const FramePlane> planes, const Pose& world_from_camera, PlaneRuns& runs,
-                       const PlaneRowKernels& kernels);
+/// Steps 1 to 3 of the builder, four rows of pixels at a time. Labels are at most planes.size().
+PlaneRowCounts register_depth(const DepthView& depth, ImageView<const std::uint16_t> labels,
+                              std::span<const FramePlane> planes, const Pose& world_from_camera,
+                              PlaneRuns& runs, const PlaneRowKernels& kernels);
 
 /// The same for a cloud, point by point.
-LeftOut register_points(const PointsView& points, std::span<const std::uint16_t> labels,
-                        std::span<const FramePlane> planes, const Pose& world_from_sensor, PlaneRuns& runs);
+PlaneRowCounts register_points(const PointsView& points, std::span<const std::uint16_t> labels,
+                               std::span<const FramePlane> planes, const Pose& world_from_sensor,
+                               PlaneRuns& runs);
 
 }  // namespace straightedge

@@ -1,106 +1,230 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
 #include "base/kernel_set.hpp"
+#include "map/plane_bundle.hpp"
 #include "map/plane_row.hpp"
-#include "map/plane_row_bits.hpp"
 #include "map/plane_run_search.hpp"
-#if defined(__AVX2__)
-#include "map/fast/label_changes.hpp"
-#include "map/fast/piece.hpp"
-#include "map/fast/place.hpp"
-#else
-#include "map/plane_label_changes.hpp"
-#include "map/plane_piece.hpp"
-#include "map/plane_place.hpp"
-#endif
 
 namespace straightedge {
 namespace STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
-std::uint16_t largest_label(const std::uint16_t* labels, std::int32_t count) noexcept {
+constexpr std::int32_t side = PlaneRow::side;
+constexpr std::int32_t squares_at_once = 8;
+
+/// The lowest and the highest label of each square, 0 where it has none.
+struct SquareLabels {
+  std::uint16_t lowest[PlaneRow::most_squares], highest[PlaneRow::most_squares];
+};
+
+struct ColumnLabels {
+  std::uint16_t least[PlaneRow::most_columns];  ///< less 1, so that no label is the highest of all
+  std::uint16_t most[PlaneRow::most_columns];
+};
+
+inline std::int32_t find_in_columns(const PlaneRow& row, ColumnLabels& labels) noexcept {
+  std::int32_t labelled = 0;
+  for (std::int32_t x = 0; x < row.columns; ++x) {
+    std::uint16_t low = 0xFFFF, high = 0, readings = 0;
+    for (std::int32_t y = 0; y < side; ++y) {
+      const std::uint16_t label = row.labels[y][x], raw = row.raw[y][x];
+      const auto less = static_cast<std::uint16_t>(label - 1);
+      low = less < low ? less : low;
+      high = label > high ? label : high;
+      readings = static_cast<std::uint16_t>(readings + ((label != 0) & (raw != 0) ? 1 : 0));
+    }
+    labels.least[x] = low;
+    labels.most[x] = high;
+    labelled += readings;
+  }
+  return labelled;
+}
+
+inline void find_labels(const PlaneRow& row, SquareLabels& labels, PlaneRowCounts& counts) noexcept {
+  ColumnLabels columns;
+  counts.labelled += static_cast<std::uint64_t>(find_in_columns(row, columns));
   std::uint16_t largest = 0;
-  for (std::int32_t n = 0; n < count; ++n) largest = labels[n] > largest ? labels[n] : largest;
-  return largest;
-}
-
-/// What the pixels of one label need to be placed.
-inline PlaneOfRow plane_of_row(const PlaneRowPart& part, const PixelPlane& plane) noexcept {
-  const double* const n = plane.normal;
-  const double* const r = part.ray;
-  return {plane.by_u, (n[0] * r[0] + n[1] * r[1] + n[2] * r[2]) * plane.by_distance, plane.distance,
-          plane.far_off};
-}
-
-/// Steps 1 and 2 for the pixels from n to end, which have one label.
-inline void place_label(const PlaneRowPart& part, std::int32_t n, std::int32_t end,
-                        PlaneRowPlaces& places) noexcept {
-  if (part.labels[n] == 0) {
-    places.i[places.guard + n] = INT32_MIN;
-    return;
+  for (std::int32_t s = 0; s < row.columns / side; ++s) {
+    const std::uint16_t* const least = columns.least + side * s;
+    const std::uint16_t* const most = columns.most + side * s;
+    const std::uint16_t low[2] = {least[0] < least[1] ? least[0] : least[1],
+                                  least[2] < least[3] ? least[2] : least[3]};
+    const std::uint16_t high[2] = {most[0] > most[1] ? most[0] : most[1],
+                                   most[2] > most[3] ? most[2] : most[3]};
+    labels.lowest[s] = static_cast<std::uint16_t>((low[0] < low[1] ? low[0] : low[1]) + 1);
+    labels.highest[s] = high[0] > high[1] ? high[0] : high[1];
+    largest = labels.highest[s] > largest ? labels.highest[s] : largest;
   }
-  const PlaneOfRow plane = plane_of_row(part, part.planes[part.labels[n] - 1]);
-  for (; n < end; n += 16) {
-    const std::uint16_t* raw = part.raw + n;
-    if (n + 16 > part.to_row_end) {
-      for (std::int32_t last = n; last < end; ++last) places.raw[last - n] = part.raw[last];
-      raw = places.raw;
+  counts.largest_label = largest > counts.largest_label ? largest : counts.largest_label;
+}
+
+/// The next higher label in the square; 0: none.
+inline std::uint32_t label_after(const PlaneRow& row, const SquareLabels& labels, std::int32_t square,
+                                 std::uint32_t label) noexcept {
+  if (label >= labels.highest[square]) return 0;
+  std::uint32_t next = labels.highest[square];
+  for (const auto& line : row.labels) {
+    for (std::int32_t x = side * square; x < side * (square + 1); ++x)
+      next = line[x] > label && line[x] < next ? line[x] : next;
+  }
+  return next;
+}
+
+inline bool holds(const PlaneRow& row, const SquareLabels& labels, std::int32_t square,
+                  std::uint32_t label) noexcept {
+  const std::uint32_t low = labels.lowest[square], high = labels.highest[square];
+  if (label == low || label == high) return true;
+  return label > low && label < high && label_after(row, labels, square, label - 1) == label;
+}
+
+/// Neighbouring squares with readings of one plane.
+struct Span {
+  std::uint32_t label;
+  std::int32_t begin, end;
+};
+
+/// What the readings of a plane in each column of four pixels come to.
+struct ColumnSums {
+  static constexpr std::int32_t size = PlaneRow::most_columns + side * squares_at_once;
+
+  std::int32_t readings[size];
+  std::int32_t down[size];  ///< sum of their places in the column, 0 to 3
+  float residual[size];     ///< squares, quanta²
+};
+
+inline std::int32_t bits_of(float number) noexcept {
+  return __builtin_bit_cast(std::int32_t, number);
+}
+
+/// Step 1.
+inline void sum_columns(const PlaneRow& row, const PixelPlane& plane, const Span& span,
+                        ColumnSums& sums) noexcept {
+  constexpr std::int32_t at_once = PlaneRow::at_once;
+  const double scale = row.metres_per_unit * plane.distance;
+  const auto distance = static_cast<float>(plane.distance);
+  const auto step = static_cast<float>(plane.by_u * scale);
+  const auto label = static_cast<std::int32_t>(span.label);
+  const std::int32_t far_off = bits_of(static_cast<float>(plane.far_off));
+  for (std::int32_t x = side * span.begin / at_once * at_once; x < side * span.end; x += at_once) {
+    float first[side];  // beyond = raw · (first + step · lane) − distance
+    for (std::int32_t y = 0; y < side; ++y)
+      first[y] = static_cast<float>(
+          (plane.by_u * (row.u + x) + (plane.by_v * (row.v + y) + plane.constant)) * scale);
+    for (std::int32_t lane = 0; lane < at_once; ++lane) {
+      std::int32_t readings = 0, down = 0;
+      float residual = 0;
+      for (std::int32_t y = side - 1; y >= 0; --y) {
+        const float per_unit = first[y] + step * static_cast<float>(lane);
+        const float beyond = static_cast<float>(row.raw[y][x + lane]) * per_unit - distance;
+        // Numbers without their sign are ordered as their bits are, and what is no number comes last.
+        const std::int32_t near = (row.labels[y][x + lane] == label ? -1 : 0) &
+                                  ((bits_of(beyond) & INT32_MAX) <= far_off ? -1 : 0);
+        const float kept = __builtin_bit_cast(float, bits_of(beyond) & near);
+        down += -readings;
+        readings += near;
+        residual += kept * kept;
+      }
+      sums.readings[x + lane] = -readings;
+      sums.down[x + lane] = down;
+      sums.residual[x + lane] = residual;
     }
-    std::uint32_t leaf_changes = place(part, plane, raw, n, places);
-    if (end - n < 16) leaf_changes &= (1U << static_cast<unsigned>(end - n)) - 1;
-    set_bits(places.changes, n, leaf_changes);
   }
 }
 
-void leave_out(const PlaneRowPart& part, const PlaneRowPlaces& p, std::int32_t n, std::int32_t end,
-               LeftOut& out) noexcept {
-  if (part.labels[n] == 0) return;
-  const std::int32_t far_off = part.planes[part.labels[n] - 1].far_off;
-  for (; n < end; ++n) {
-    const std::int32_t r = p.residual[p.guard + n];
-    if (r <= far_off && r >= -far_off) {
-      ++out.out_of_range;
-    } else {
-      out.off_plane += part.raw[n] != 0 ? 1 : 0;
+/// Bundles of eight squares: a place with its readings.
+struct Bundles {
+  std::int32_t i[squares_at_once], j[squares_at_once], k[squares_at_once];  ///< quanta
+  std::int32_t readings[squares_at_once];
+  float residual[squares_at_once];
+};
+
+/// Steps 1 and 2 from a square on.
+inline void place(const PlaneRow& row, const PixelPlane& plane, const ColumnSums& sums, std::int32_t square,
+                  Bundles& bundles) noexcept {
+  double u[squares_at_once], v[squares_at_once];
+  for (std::int32_t lane = 0; lane < squares_at_once; ++lane) {
+    const std::int32_t x = side * (square + lane);
+    const std::int32_t* const n = sums.readings + x;
+    const std::int32_t* const d = sums.down + x;
+    const float* const r = sums.residual + x;
+    const std::int32_t readings = n[0] + n[1] + n[2] + n[3];
+    const float share = 1.0F / static_cast<float>(readings > 1 ? readings : 1);
+    u[lane] = row.u + x + static_cast<double>(share * static_cast<float>(n[1] + 2 * n[2] + 3 * n[3]));
+    v[lane] = row.v + static_cast<double>(share * static_cast<float>(d[0] + d[1] + d[2] + d[3]));
+    bundles.readings[lane] = readings;
+    bundles.residual[lane] = (r[0] + r[1]) + (r[2] + r[3]);
+  }
+  const GridCamera& g = row.grid;
+  constexpr double end = plane_row::grid_end;
+  for (std::int32_t lane = 0; lane < squares_at_once; ++lane) {
+    const double z = 1 / (plane.by_u * u[lane] + (plane.by_v * v[lane] + plane.constant));
+    const auto along = [&](int axis) {
+      return z * (u[lane] * g.along_u[axis] + (v[lane] * g.along_v[axis] + g.corner[axis])) + g.origin[axis];
+    };
+    bundles.i[lane] = static_cast<std::int32_t>(bounded(along(0), end));
+    bundles.j[lane] = static_cast<std::int32_t>(bounded(along(1), end));
+    bundles.k[lane] = static_cast<std::int32_t>(bounded(along(2), end));
+  }
+}
+
+inline bool on_grid(std::int32_t i, std::int32_t j, std::int32_t k) noexcept {
+  return static_cast<std::uint32_t>(i | j | k) < static_cast<std::uint32_t>(plane_row::grid_end);
+}
+
+/// Step 3, for the first `count` of the bundles.
+inline void add_bundles(const Bundles& b, std::int32_t count, std::uint32_t label,
+                        detail::PlaneRunTable& runs, PlaneRowCounts& counts) noexcept {
+  detail::PlaneRun none;
+  none.leaf = ~std::uint64_t{0};
+  detail::PlaneRun* run = &none;
+  for (std::int32_t n = 0; n < count; ++n) {
+    const std::int32_t readings = b.readings[n];
+    if (readings == 0) continue;
+    counts.near_plane += static_cast<std::uint64_t>(readings);
+    if (!on_grid(b.i[n], b.j[n], b.k[n])) {
+      counts.out_of_range += static_cast<std::uint64_t>(readings);
+      continue;
     }
+    const std::uint64_t leaf = run_leaf(b.i[n], b.j[n], b.k[n]);
+    if (leaf != run->leaf || run->readings + readings > detail::PlaneRun::most_readings)
+      run = &run_for(runs, leaf, label, readings);
+    add_bundle(*run, b.i[n], b.j[n], b.k[n], readings, static_cast<std::int64_t>(b.residual[n]));
   }
 }
 
-/// Step 3, for neighbours of one label in one leaf.
-inline void add_piece(const PlaneRowPart& part, const PlaneRowPlaces& p, std::int32_t n, std::int32_t end,
-                      detail::PlaneRunTable& runs, LeftOut& out) noexcept {
-  const std::int32_t at = p.guard + n;
-  if (p.i[at] < 0) return leave_out(part, p, n, end, out);
-  detail::PlaneRun& run = run_for(runs, run_leaf(p.i[at], p.j[at], p.k[at]), part.labels[n], end - n);
-  for (; n < end; n += 16) add_pixels(run, p, n, end - n < 16 ? end - n : 16);
-}
-
+/// Every plane's spans, those that begin first first.
 template <class Visit>
-inline void for_each_piece(const std::uint64_t* changes, std::int32_t count, Visit visit) noexcept {
-  std::int32_t begin = 0;
-  for (std::int32_t n = 0; n < count; n += 64) {
-    for (std::uint64_t word = changes[n / 64]; word != 0; word &= word - 1) {
-      const std::int32_t next = n + __builtin_ctzll(word);
-      visit(begin, next);
-      begin = next;
+inline void for_each_span(const PlaneRow& row, const SquareLabels& labels, Visit visit) noexcept {
+  const std::int32_t squares = row.columns / side;
+  for (std::int32_t s = 0; s < squares; ++s) {
+    for (std::uint32_t label = labels.lowest[s]; label != 0; label = label_after(row, labels, s, label)) {
+      if (s > 0 && holds(row, labels, s - 1, label)) continue;
+      std::int32_t end = s + 1;
+      while (end < squares && holds(row, labels, end, label)) ++end;
+      visit(Span{label, s, end});
     }
   }
-  visit(begin, count);
 }
 
-void add(const PlaneRowPart& part, PlaneRowPlaces& places, detail::PlaneRunTable& table,
-         LeftOut& out) noexcept {
-  std::uint64_t labels[PlaneRowPart::most / 64 + 2];
-  label_changes(part.labels, part.count, labels);
-  for (std::int32_t w = 0; w <= part.count / 64; ++w) places.changes[w] = labels[w];
-  places.changes[part.count / 64 + 1] = 0;
-  for_each_piece(labels, part.count,
-                 [&](std::int32_t begin, std::int32_t end) { place_label(part, begin, end, places); });
-  places.changes[0] &= ~std::uint64_t{1};
-  detail::PlaneRunTable runs = table;  // a copy of its own stays in registers
-  for_each_piece(places.changes, part.count, [&](std::int32_t begin, std::int32_t end) {
-    add_piece(part, places, begin, end, runs, out);
-  });
+void add(const PlaneRow& row, detail::PlaneRunTable& table, PlaneRowCounts& all) noexcept {
+  PlaneRowCounts counts = all;  // copies of its own stay in registers
+  detail::PlaneRunTable runs = table;
+  SquareLabels labels;
+  find_labels(row, labels, counts);
+  ColumnSums sums;
+  if (counts.largest_label <= row.plane_count) {
+    for_each_span(row, labels, [&](const Span& span) {
+      const PixelPlane& plane = row.planes[span.label - 1];
+      sum_columns(row, plane, span, sums);
+      for (std::int32_t s = span.begin; s < span.end; s += squares_at_once) {
+        Bundles bundles;
+        place(row, plane, sums, s, bundles);
+        const std::int32_t left = span.end - s;
+        add_bundles(bundles, left < squares_at_once ? left : squares_at_once, span.label, runs, counts);
+      }
+    });
+  }
+  all = counts;
   table = runs;
 }
 
@@ -109,7 +233,6 @@ void add(const PlaneRowPart& part, PlaneRowPlaces& places, detail::PlaneRunTable
 
 extern const PlaneRowKernels STRAIGHTEDGE_OF_SET(_plane_row_kernels);
 constinit const PlaneRowKernels STRAIGHTEDGE_OF_SET(_plane_row_kernels) = {
-    STRAIGHTEDGE_KERNEL_SET::largest_label,
     STRAIGHTEDGE_KERNEL_SET::add,
 };
 

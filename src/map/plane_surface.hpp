@@ -37,6 +37,11 @@ inline double quadratic(const std::array<double, 6>& s, const Vector3& t) {
          2 * (s[1] * t.x * t.y + s[2] * t.x * t.z + s[4] * t.y * t.z);
 }
 
+inline double bilinear(const std::array<double, 6>& s, const Vector3& t, const Vector3& r) {
+  return s[0] * t.x * r.x + s[3] * t.y * r.y + s[5] * t.z * r.z + s[1] * (t.x * r.y + t.y * r.x) +
+         s[2] * (t.x * r.z + t.z * r.x) + s[4] * (t.y * r.z + t.z * r.y);
+}
+
 /// The sums of one leaf, counted from `origin`.
 Surface surface_of(const PlaneLeaf& leaf, const Vector3& origin);
 
