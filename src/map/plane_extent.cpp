@@ -15,6 +15,7 @@ namespace straightedge {
 namespace {
 
 constexpr double smallest_lot_cell = 0.25;  // metres
+constexpr double straight_cells = 2.5;
 
 using Cell = std::pair<std::int64_t, std::int64_t>;  // row first
 
@@ -31,9 +32,11 @@ struct LotCells {
 
 template <class Visit>
 void for_each_cell(const ExtentPiece& p, double size, Visit visit) {
-  const std::int64_t x1 = floor_to_integer(p.a1 / size), y1 = floor_to_integer(p.b1 / size);
-  for (std::int64_t y = floor_to_integer(p.b0 / size); y <= y1; ++y) {
-    for (std::int64_t x = floor_to_integer(p.a0 / size); x <= x1; ++x) visit(Cell{y, x});
+  const double cells = 1 / size;
+  const std::int64_t x0 = floor_to_integer(p.a0 * cells), x1 = floor_to_integer(p.a1 * cells);
+  const std::int64_t y0 = floor_to_integer(p.b0 * cells), y1 = floor_to_integer(p.b1 * cells);
+  for (std::int64_t y = y0; y <= y1; ++y) {
+    for (std::int64_t x = x0; x <= x1; ++x) visit(Cell{y, x});
   }
 }
 
@@ -186,7 +189,7 @@ void read_loops(Raster& raster, const ExtentOptions& options, double min_area,
           {raster.origin.a + cells.x[i] * raster.cell, raster.origin.b + cells.y[i] * raster.cell});
     }
     const bool hole = signed_area(points) < 0;
-    std::vector<PlanePoint> few = simplified(points, 2 * raster.cell);
+    std::vector<PlanePoint> few = simplified(points, straight_cells * raster.cell);
     // A sliver keeps its shape.
     if (few.size() < 3 || (signed_area(few) < 0) != hole || signed_area(few) == 0) few = points;
     const double area = signed_area(few);

@@ -49,7 +49,7 @@ struct ExtentOptions {
 /// 3. Closing: grown by max_gap/2 and shrunk again, with a square, which leaves corners as they are.
 /// 4. Holes below max_hole are filled; islands below min_area go, unless nothing else is left of the plane.
 /// 5. Borders are followed along the cells' sides.
-/// 6. Douglas, Peucker: points that lie within a cell of the line between others are left out. D. H.
+/// 6. Douglas, Peucker: points that lie within 2.5 cells of the line between others are left out. D. H.
 ///    Douglas, T. K. Peucker, "Algorithms for the reduction of the number of points required to represent a
 ///    digitized line or its caricature", Cartographica 10(2), 1973, doi:10.3138/FM57-6770-U75U-7727.
 ///

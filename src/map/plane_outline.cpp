@@ -6,28 +6,40 @@
 
 #include "map/plane_basis.hpp"
 #include "map/plane_key.hpp"
+#include "map/plane_row.hpp"
 #include "map/plane_surface.hpp"
 
 namespace straightedge {
 namespace {
 
 constexpr double least_variance = 1e-9;  // m²
+constexpr double bundle_side = PlaneRow::side;
 constexpr double least_lean = 1e-3;
 
 ExtentPiece covered_by_leaf(const PlaneChart& chart, const PlaneLeaf& leaf) {
-  const Surface s = surface_of(leaf, leaf_centre(morton_decode(leaf.key.leaf)));
-  const double weight = s.moments.weight;
-  const PlanePoint mean = chart.on(s.origin + (1 / weight) * Vector3{s.moments.x, s.moments.y, s.moments.z});
-  const auto scatter = scatter_of(s.moments);
-  const double spacing = leaf.sums.spacing == plane_grid::no_spacing ? 0 : leaf.sums.spacing;
-  const double margin = spacing * plane_grid::quantum_m / 2;
-  const double a = std::max(least_variance, quadratic(scatter, chart.u) / weight);
-  const double b = std::max(least_variance, quadratic(scatter, chart.v) / weight);
-  const double ab = bilinear(scatter, chart.u, chart.v) / weight;
+  const PlaneLeafSums& s = leaf.sums;
+  constexpr double q = plane_grid::quantum_m;
+  const double share = 1 / static_cast<double>(s.weight);
+  const auto average = [share](std::int64_t sum, double unit) {
+    return static_cast<double>(sum) * share * unit;
+  };
+  const Vector3 mean{average(s.x, q), average(s.y, q), average(s.z, q)};
+  const auto spread = [&](std::int64_t sum, double a, double b) { return average(sum, q * q) - a * b; };
+  const std::array<double, 6> scatter = {spread(s.xx, mean.x, mean.x), spread(s.xy, mean.x, mean.y),
+                                         spread(s.xz, mean.x, mean.z), spread(s.yy, mean.y, mean.y),
+                                         spread(s.yz, mean.y, mean.z), spread(s.zz, mean.z, mean.z)};
+  const PlanePoint middle =
+      chart.on(leaf_centre(morton_decode(leaf.key.leaf)) + mean + Vector3{q / 2, q / 2, q / 2});
+  const double spacing = s.spacing == plane_grid::no_spacing ? 0 : s.spacing;
+  const double margin = std::max(spacing * q / 2, (bundle_side * spacing * q - plane_grid::leaf_m) / 2);
+  const double a = std::max(least_variance, quadratic(scatter, chart.u));
+  const double b = std::max(least_variance, quadratic(scatter, chart.v));
+  const double ab = bilinear(scatter, chart.u, chart.v);
   const auto half = [margin](double variance) {
     return __builtin_sqrt(3 * std::max(0.0, variance)) + margin;
   };
-  ExtentPiece piece{mean.a - half(a), mean.a + half(a), mean.b - half(b), mean.b + half(b), {}};
+  const double wide = half(a), high = half(b);
+  ExtentPiece piece{middle.a - wide, middle.a + wide, middle.b - high, middle.b + high, {}};
   piece.strips[0] = {ab / b, half(a - ab * ab / b)};
   const double steep = ab / a;
   if (steep > least_lean || steep < -least_lean)

@@ -11,6 +11,9 @@ namespace {
 
 constexpr int block_level = 3;
 
+// A patch is estimated anew when it has become so much heavier, and at last.
+constexpr double anew = 1.25;
+
 std::uint64_t block_of(const PlaneLeaf& leaf) {
   return leaf.key.leaf >> (3 * block_level);
 }
@@ -29,6 +32,7 @@ void patches_of_block(std::span<const PlaneLeaf> leaves, std::uint32_t first, st
   const std::size_t before = patches.size();
   const Vector3 origin = cube_centre(leaves[first].key.leaf, block_level);
   heaviest_first.clear();
+  std::vector<double> estimated_weights;
   for (std::uint32_t i = first; i < end; ++i) heaviest_first.push_back({leaves[i].sums.weight, i});
   std::sort(heaviest_first.begin(), heaviest_first.end());
   for (const LeafWeight& next : heaviest_first) {
@@ -47,11 +51,18 @@ void patches_of_block(std::span<const PlaneLeaf> leaves, std::uint32_t first, st
     }
     if (best == nullptr) {
       patches.push_back({piece, where, {i}});
+      estimated_weights.push_back(piece.moments.weight);
       continue;
     }
     best->surface.add(piece);
     best->leaves.push_back(i);
+    const auto which = static_cast<std::size_t>(best - (patches.data() + before));
+    if (best->surface.moments.weight < anew * estimated_weights[which]) continue;
     best->estimate = estimate(best->surface, options);
+    estimated_weights[which] = best->surface.moments.weight;
+  }
+  for (std::size_t p = before; p < patches.size(); ++p) {
+    if (patches[p].leaves.size() > 1) patches[p].estimate = estimate(patches[p].surface, options);
   }
 }
 

@@ -46,9 +46,9 @@ void spread_bits(std::vector<std::uint64_t>& words, std::size_t distance, bool v
     words[i] = spread(value, words[i], bits_from(words, 64 * i + distance));
 }
 
-/// A cell gets the value when one within `reach` on its row has it. All rows are one string of bits: where one
-/// ends and the next begins nothing is covered as far as that reaches. Windows of a power of two first, two of
-/// which then overlap.
+/// A cell gets the value when one within `reach` on its row has it. All rows are one string of bits: where
+/// one ends and the next begins nothing is covered as far as that reaches. Windows of a power of two first,
+/// two of which then overlap.
 void grow_rows(Raster& raster, std::size_t reach, bool value) {
   const std::size_t window = 2 * reach + 1;
   std::size_t width = 1;
@@ -140,12 +140,9 @@ Raster lower_borders(const Raster& raster) {
   return lower;
 }
 
-/// round_half_even without a branch: where pieces end within a cell is anybody's guess.
-std::int64_t nearest_cell(double x) {
-  const std::int64_t below = floor_to_integer(x);
-  const double rest = x - static_cast<double>(below);
-  return below +
-         (static_cast<std::int64_t>(rest > 0.5) | (static_cast<std::int64_t>(rest == 0.5) & below & 1));
+/// The border between cells that is nearest to a place at or above 0.
+std::int32_t nearest_border(double cells) {
+  return static_cast<std::int32_t>(cells + 0.5);
 }
 
 double cell_area(const Raster& raster, std::size_t cells) {
@@ -175,7 +172,8 @@ void Raster::set(std::int32_t y, std::int32_t begin, std::int32_t end, bool valu
 Raster raster_for(std::span<const ExtentPiece> pieces, double cell, double margin) {
   ExtentPiece all = pieces.front();
   for (const ExtentPiece& p : pieces) {
-    all = {std::min(all.a0, p.a0), std::max(all.a1, p.a1), std::min(all.b0, p.b0), std::max(all.b1, p.b1), {}};
+    all = {
+        std::min(all.a0, p.a0), std::max(all.a1, p.a1), std::min(all.b0, p.b0), std::max(all.b1, p.b1), {}};
   }
   const double wide = all.a1 - all.a0 + 2 * margin, high = all.b1 - all.b0 + 2 * margin;
   while ((wide / cell + 6) * (high / cell + 6) > most_cells) cell *= 2;
@@ -191,22 +189,19 @@ Raster raster_for(std::span<const ExtentPiece> pieces, double cell, double margi
 }
 
 void paint(Raster& raster, const ExtentPiece& piece) {
-  const double per_cell = 1 / raster.cell;
-  const auto cell = [per_cell](double from_origin) {
-    return static_cast<std::int32_t>(nearest_cell(from_origin * per_cell));
-  };
-  const double a = (piece.a0 + piece.a1) / 2 - raster.origin.a, b = (piece.b0 + piece.b1) / 2 - raster.origin.b;
-  const double wide = (piece.a1 - piece.a0) / 2;
-  const std::int32_t y0 = cell(piece.b0 - raster.origin.b), y1 = cell(piece.b1 - raster.origin.b);
-  for (std::int32_t y = y0; y < std::max(y1, y0 + 1); ++y) {
-    const double up = (y + 0.5) * raster.cell - b;
-    double left = -wide, right = wide;
-    for (const ExtentStrip& strip : piece.strips) {
-      left = std::max(left, strip.lean * up - strip.half);
-      right = std::min(right, strip.lean * up + strip.half);
-    }
-    const std::int32_t x0 = cell(a + std::min(left, wide));
-    raster.set(y, x0, std::max(cell(a + std::max(right, -wide)), x0 + 1), true);
+  const double cells = 1 / raster.cell;
+  const double a0 = (piece.a0 - raster.origin.a) * cells, a1 = (piece.a1 - raster.origin.a) * cells;
+  const double b0 = (piece.b0 - raster.origin.b) * cells, b1 = (piece.b1 - raster.origin.b) * cells;
+  const double a = (a0 + a1) / 2, b = (b0 + b1) / 2;
+  const double half[] = {piece.strips[0].half * cells, piece.strips[1].half * cells};
+  const std::int32_t first = nearest_border(b0), last = std::max(nearest_border(b1), first + 1);
+  for (std::int32_t y = first; y < last; ++y) {
+    const double up = y + 0.5 - b;
+    const double middles[] = {a + piece.strips[0].lean * up, a + piece.strips[1].lean * up};
+    const double left = std::max(a0, std::max(middles[0] - half[0], middles[1] - half[1]));
+    const double right = std::min(a1, std::min(middles[0] + half[0], middles[1] + half[1]));
+    const std::int32_t x0 = nearest_border(std::min(left, a1));
+    raster.set(y, x0, std::max(nearest_border(std::max(right, a0)), x0 + 1), true);
   }
 }
 
@@ -260,7 +255,8 @@ void fill_holes(Raster& raster, double max_hole) {
 void drop_islands(Raster& raster, double min_area) {
   std::vector<CellRun> runs = regions_of(raster, true, false);
   for (std::uint32_t i = 0; i < runs.size(); ++i) {
-    if (cell_area(raster, runs[first_of(runs, i)].cells) < min_area) raster.set(runs[i].y, runs[i].begin, runs[i].end, false);
+    if (cell_area(raster, runs[first_of(runs, i)].cells) < min_area)
+      raster.set(runs[i].y, runs[i].begin, runs[i].end, false);
   }
 }
 
@@ -271,7 +267,7 @@ std::vector<CellLoop> cell_borders(const Raster& raster) {
   // Cells whose lower side is a border that has not been walked along.
   Raster lower = lower_borders(raster);
   std::vector<CellLoop> loops;
-  for (std::int32_t y = 0, x = 0; y < raster.height; ) {
+  for (std::int32_t y = 0, x = 0; y < raster.height;) {
     x = find(lower.row(y), x, raster.width, true);
     if (x == raster.width) {
       ++y;

@@ -24,7 +24,9 @@ struct Raster {
   Raster(std::int32_t columns, std::int32_t rows);
 
   std::uint64_t* row(std::int32_t y) { return words.data() + static_cast<std::size_t>(y) * pitch; }
-  const std::uint64_t* row(std::int32_t y) const { return words.data() + static_cast<std::size_t>(y) * pitch; }
+  const std::uint64_t* row(std::int32_t y) const {
+    return words.data() + static_cast<std::size_t>(y) * pitch;
+  }
   bool covered(std::int32_t x, std::int32_t y) const {
     return (row(y)[x / 64] >> (static_cast<unsigned>(x) % 64) & 1U) != 0;
   }

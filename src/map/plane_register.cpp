@@ -106,7 +106,7 @@ PlaneRowCounts register_depth(const DepthView& depth, ImageView<const std::uint1
 }
 
 PlaneRowCounts register_points(const PointsView& points, std::span<const std::uint16_t> labels,
-                        std::span<const FramePlane> planes, const Pose& world_from_sensor,
+                               std::span<const FramePlane> planes, const Pose& world_from_sensor,
                                PlaneRuns& runs) {
   PlaneRowCounts counts;
   for (std::size_t n = 0; n < points.count; ++n) {

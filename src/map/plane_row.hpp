@@ -24,8 +24,8 @@ struct GridCamera {
 /// Four rows of pixels, cut into squares of 4x4, and all that places them.
 struct PlaneRow {
   static constexpr std::int32_t side = 4;
-  static constexpr std::int32_t at_once = 16;                    ///< columns
-  static constexpr std::int32_t most_columns = 640;              ///< a multiple of the former
+  static constexpr std::int32_t at_once = 16;        ///< columns
+  static constexpr std::int32_t most_columns = 640;  ///< a multiple of the former
   static constexpr std::int32_t most_squares = most_columns / side;
   static constexpr std::int32_t most_runs = side * most_columns;  ///< that one row can begin
 

@@ -108,8 +108,8 @@ inline void sum_columns(const PlaneRow& row, const PixelPlane& plane, const Span
   for (std::int32_t x = side * span.begin / at_once * at_once; x < side * span.end; x += at_once) {
     float first[side];  // beyond = raw · (first + step · lane) − distance
     for (std::int32_t y = 0; y < side; ++y)
-      first[y] = static_cast<float>(
-          (plane.by_u * (row.u + x) + (plane.by_v * (row.v + y) + plane.constant)) * scale);
+      first[y] = static_cast<float>((plane.by_u * (row.u + x) + (plane.by_v * (row.v + y) + plane.constant)) *
+                                    scale);
     for (std::int32_t lane = 0; lane < at_once; ++lane) {
       std::int32_t readings = 0, down = 0;
       float residual = 0;
@@ -117,8 +117,8 @@ inline void sum_columns(const PlaneRow& row, const PixelPlane& plane, const Span
         const float per_unit = first[y] + step * static_cast<float>(lane);
         const float beyond = static_cast<float>(row.raw[y][x + lane]) * per_unit - distance;
         // Numbers without their sign are ordered as their bits are, and what is no number comes last.
-        const std::int32_t near = (row.labels[y][x + lane] == label ? -1 : 0) &
-                                  ((bits_of(beyond) & INT32_MAX) <= far_off ? -1 : 0);
+        const std::int32_t near =
+            (row.labels[y][x + lane] == label ? -1 : 0) & ((bits_of(beyond) & INT32_MAX) <= far_off ? -1 : 0);
         const float kept = __builtin_bit_cast(float, bits_of(beyond) & near);
         down += -readings;
         readings += near;

@@ -23,10 +23,73 @@ double total_area(const std::vector<ExtentLoop>& loops) {
   return sum;
 }
 
+/// Covered with `tenths` of its cells, but not within `rim` of its sides.
+Raster random_raster(Pcg32& random, std::int32_t width, std::int32_t height, std::int32_t rim,
+                     std::uint32_t tenths) {
+  Raster raster(width, height);
+  raster.cell = 1;
+  for (std::int32_t y = rim; y < height - rim; ++y) {
+    for (std::int32_t x = rim; x < width - rim; ++x) raster.set(y, x, x + 1, random.below(10) < tenths);
+  }
+  return raster;
+}
+
+/// Whether a cell within `reach` of (x, y), by sides and corners, has the value.
+bool near(const Raster& raster, std::int32_t x, std::int32_t y, std::int32_t reach, bool value) {
+  for (std::int32_t b = std::max(y - reach, 0); b <= std::min(y + reach, raster.height - 1); ++b) {
+    for (std::int32_t a = std::max(x - reach, 0); a <= std::min(x + reach, raster.width - 1); ++a) {
+      if (raster.covered(a, b) == value) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
+TEST_CASE("closing grows and shrinks again, cell by cell") {
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    CAPTURE(seed);
+    Pcg32 random(seed);
+    const auto reach = static_cast<std::int32_t>(seed < 20 ? 1 + seed % 6 : 20 * (seed - 19));
+    const std::int32_t rim = 2 * reach + 1;
+    const std::int32_t width = 2 * rim + 1 + static_cast<std::int32_t>(random.below(180));
+    Raster raster = random_raster(random, width, 2 * rim + 9, rim, seed % 2 == 0 ? 1 : 3);
+    Raster grown(raster.width, raster.height);
+    for (std::int32_t y = 0; y < raster.height; ++y) {
+      for (std::int32_t x = 0; x < width; ++x) grown.set(y, x, x + 1, near(raster, x, y, reach, true));
+    }
+    close_gaps(raster, 2 * reach);
+    std::size_t wrong = 0;
+    for (std::int32_t y = 0; y < raster.height; ++y) {
+      for (std::int32_t x = 0; x < width; ++x)
+        wrong += raster.covered(x, y) == near(grown, x, y, reach, false) ? 1 : 0;
+    }
+    CHECK(wrong == 0);
+  }
+}
+
+TEST_CASE("of a piece that leans the corners are not painted") {
+  ExtentPiece whole{-0.5, 0.5, -0.5, 0.5, {}}, piece = whole;
+  const double slope = GENERATE(-0.5, 0.5);
+  piece.strips[0] = {slope, 0.25};     // |a − slope b| <= 0.25
+  piece.strips[1] = {1 / slope, 0.5};  // |b − slope a| <= 0.25
+  Raster raster = raster_for(std::vector<ExtentPiece>{whole}, 1.0 / 64, 0.1);
+  paint(raster, piece);
+  std::size_t wrong = 0;
+  for (std::int32_t y = 0; y < raster.height; ++y) {
+    for (std::int32_t x = 0; x < raster.width; ++x) {
+      const double a = raster.origin.a + (x + 0.5) * raster.cell,
+                   b = raster.origin.b + (y + 0.5) * raster.cell;
+      const double out = std::max({std::abs(a) - 0.5, std::abs(b) - 0.5, std::abs(a - slope * b) - 0.25,
+                                   std::abs(b - slope * a) - 0.25});
+      if (std::abs(out) > raster.cell) wrong += raster.covered(x, y) == (out > 0) ? 1 : 0;
+    }
+  }
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("a rectangle is four corners") {
-  const std::vector<ExtentPiece> piece{{-1, 2, 0.5, 1.5}};
+  const std::vector<ExtentPiece> piece{{-1, 2, 0.5, 1.5, {}}};
   const auto loops = extent_loops(piece, {});
   REQUIRE(loops.size() == 1);
   CHECK(loops[0].points.size() == 4);
@@ -70,17 +133,10 @@ TEST_CASE("borders of random pictures enclose what is covered, outer ones to the
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
     Pcg32 random(seed);
-    Raster raster;
-    raster.cell = 1;
-    raster.width = 24;
-    raster.height = 17;
-    raster.cells.assign(24 * 17, 0);
+    const Raster raster = random_raster(random, static_cast<std::int32_t>(3 + 10 * seed), 17, 1, 6);
     std::int64_t covered = 0;
-    for (std::int32_t y = 1; y < 16; ++y) {
-      for (std::int32_t x = 1; x < 23; ++x) {
-        raster.cells[raster.index(x, y)] = random.below(10) < 6 ? 1 : 0;
-        covered += raster.covered(x, y) ? 1 : 0;
-      }
+    for (std::int32_t y = 0; y < raster.height; ++y) {
+      for (std::int32_t x = 0; x < raster.width; ++x) covered += raster.covered(x, y) ? 1 : 0;
     }
     double area = 0;
     std::vector<ExtentLoop> loops;
@@ -93,10 +149,10 @@ TEST_CASE("borders of random pictures enclose what is covered, outer ones to the
       loops.push_back(loop);
     }
     CHECK(area == Approx(static_cast<double>(covered)));
-    Raster painted = raster;
-    painted.cells.assign(24 * 17, 0);
+    Raster painted(raster.width, raster.height);
+    painted.cell = 1;
     paint(painted, loops);
-    CHECK(painted.cells == raster.cells);
+    CHECK(painted.words == raster.words);
   }
 }
 

@@ -114,7 +114,7 @@ TEST_CASE("readings nowhere near their plane, without reading or out of range ar
   const RegisteredFrame here = scene::add(builder, frame);
   CHECK(here.off_plane == 1);
   CHECK(here.placed == labelled - 2);
-  frame.pose.translation.x = 65535.5;  // some of the room lies beyond the grid
+  frame.pose.translation.x = plane_grid::reach_m - 0.5;  // some of the room lies beyond the grid
   const RegisteredFrame edge = scene::add(builder, frame);
   CHECK(edge.out_of_range > 0);
   CHECK(edge.placed + edge.out_of_range == labelled - 2);
