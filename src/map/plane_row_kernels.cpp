@@ -173,10 +173,8 @@ inline bool on_grid(std::int32_t i, std::int32_t j, std::int32_t k) noexcept {
 
 /// Step 3, for the first `count` of the bundles.
 inline void add_bundles(const Bundles& b, std::int32_t count, std::uint32_t label,
-                        detail::PlaneRunTable& runs, PlaneRowCounts& counts) noexcept {
-  detail::PlaneRun none;
-  none.leaf = ~std::uint64_t{0};
-  detail::PlaneRun* run = &none;
+                        detail::PlaneRunTable& runs, detail::PlaneRun*& run,
+                        PlaneRowCounts& counts) noexcept {
   for (std::int32_t n = 0; n < count; ++n) {
     const std::int32_t readings = b.readings[n];
     if (readings == 0) continue;
@@ -212,15 +210,18 @@ void add(const PlaneRow& row, detail::PlaneRunTable& table, PlaneRowCounts& all)
   SquareLabels labels;
   find_labels(row, labels, counts);
   ColumnSums sums;
+  detail::PlaneRun none;
+  none.leaf = ~std::uint64_t{0};
   if (counts.largest_label <= row.plane_count) {
     for_each_span(row, labels, [&](const Span& span) {
       const PixelPlane& plane = row.planes[span.label - 1];
       sum_columns(row, plane, span, sums);
+      detail::PlaneRun* run = &none;
       for (std::int32_t s = span.begin; s < span.end; s += squares_at_once) {
         Bundles bundles;
         place(row, plane, sums, s, bundles);
         const std::int32_t left = span.end - s;
-        add_bundles(bundles, left < squares_at_once ? left : squares_at_once, span.label, runs, counts);
+        add_bundles(bundles, left < squares_at_once ? left : squares_at_once, span.label, runs, run, counts);
       }
     });
   }
