@@ -18,7 +18,7 @@ PlaneRowCounts register_depth(const DepthView& depth, ImageView<const std::uint1
                               std::span<const FramePlane> planes, const Pose& world_from_camera,
                               PlaneRuns& runs, const PlaneRowKernels& kernels);
 
-/// The same for a cloud, point by point.
+/// The same for a cloud, where every point is a bundle of its own.
 PlaneRowCounts register_points(const PointsView& points, std::span<const std::uint16_t> labels,
                                std::span<const FramePlane> planes, const Pose& world_from_sensor,
                                PlaneRuns& runs);

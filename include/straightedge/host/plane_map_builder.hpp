@@ -88,10 +88,11 @@ struct PlaneMapReading {
 /// with pictures of what happens.
 ///
 /// Adding a frame (time proportional to its pixels; nothing depends on the size of the map):
-///  1. Every labelled reading moves along its ray onto its frame's plane, which was fitted in inverse depth
-///     and is therefore better than the reading; how far it moved is remembered as residual.
+///  1. The readings of one plane in a square of 4x4 pixels become a bundle. It stands at the mean of their
+///     pixels, where that one's ray meets the frame's plane, which was fitted in inverse depth and is therefore
+///     better than any reading; how far each reading is off the plane is remembered as residual.
 ///  2. By the pose into the world, and onto the grid of plane_leaves.hpp.
-///  3. Leaf and surface choose an entry; weight, place and products are added to it as integers.
+///  3. Leaf and surface choose an entry; readings, weight, place and products are added to it as integers.
 /// Reading planes out (time n log n in the number of leaves):
 ///  4. Leaves by key; surfaces of one block of 1 m that agree become patches.
 ///  5. Patches that are of one plane are joined, the strongest first, by chi-square with floors and caps;
