@@ -16,24 +16,23 @@ inline double bounded(double x, double bound) noexcept {
   return below > -bound ? below : -bound;
 }
 
-/// Adds readings that stand together at quanta i, j, k.
+/// Adds readings that stand together at quanta i, j, k: to eight sums at once.
 inline void add_bundle(detail::PlaneRun& run, std::int32_t i, std::int32_t j, std::int32_t k,
                        std::int32_t readings, std::int64_t residual) noexcept {
+  using Place = std::int32_t __attribute__((vector_size(16)));
+  using Sums = std::int32_t __attribute__((vector_size(32)));
   using R = detail::PlaneRun;
-  const auto in_leaf = [](std::int32_t at) {
-    return (at & (plane_row::leaf_side - 1)) - plane_row::leaf_side / 2;
-  };
-  const std::int32_t x = in_leaf(i), y = in_leaf(j), z = in_leaf(k);
-  const std::int32_t wx = readings * x, wy = readings * y, wz = readings * z;
-  run.sum[R::xx] += wx * x;
-  run.sum[R::xy] += wx * y;
-  run.sum[R::zz] += wz * z;
-  run.sum[R::x] += wx;
-  run.sum[R::yy] += wy * y;
-  run.sum[R::yz] += wy * z;
-  run.sum[R::xz] += wx * z;
-  run.sum[R::y] += wy;
-  run.z += wz;
+  static_assert(R::xx == 0 && R::xy == 1 && R::zz == 2 && R::x == 3 && R::yy == 4 && R::yz == 5 &&
+                R::xz == 6 && R::y == 7);
+  constexpr std::int32_t middle = plane_row::leaf_side / 2;
+  // x, y, z from the leaf's centre, and 1.
+  const Place place = (Place{i, j, k, middle + 1} & (plane_row::leaf_side - 1)) - middle;
+  Sums sums;
+  __builtin_memcpy(&sums, run.sum, sizeof sums);
+  sums += readings * __builtin_shufflevector(place, place, 0, 0, 2, 0, 1, 1, 0, 1) *
+          __builtin_shufflevector(place, place, 0, 1, 2, 3, 1, 2, 2, 3);
+  __builtin_memcpy(run.sum, &sums, sizeof sums);
+  run.z += readings * place[2];
   run.residual += residual;
   run.readings += readings;
 }

@@ -31,7 +31,7 @@ inline std::int32_t find_in_columns(const PlaneRow& row, ColumnLabels& labels) n
       const auto less = static_cast<std::uint16_t>(label - 1);
       low = less < low ? less : low;
       high = label > high ? label : high;
-      readings = static_cast<std::uint16_t>(readings + ((label != 0) & (raw != 0) ? 1 : 0));
+      readings = static_cast<std::uint16_t>(readings + ((label != 0 ? 1 : 0) & (raw != 0 ? 1 : 0)));
     }
     labels.least[x] = low;
     labels.most[x] = high;
