@@ -19,17 +19,6 @@ constexpr double straight_cells = 2.5;
 
 using Cell = std::pair<std::int64_t, std::int64_t>;  // row first
 
-struct LotCells {
-  std::vector<Cell> cells;  // sorted
-  std::vector<std::uint32_t> lots;
-
-  std::size_t find(const Cell& cell) const {
-    const auto found = std::lower_bound(cells.begin(), cells.end(), cell);
-    return found != cells.end() && *found == cell ? static_cast<std::size_t>(found - cells.begin())
-                                                  : cells.size();
-  }
-};
-
 template <class Visit>
 void for_each_cell(const ExtentPiece& p, double size, Visit visit) {
   const double cells = 1 / size;
@@ -41,8 +30,8 @@ void for_each_cell(const ExtentPiece& p, double size, Visit visit) {
 }
 
 /// Numbers the cells' connected regions, in the order of their first cells; neighbours by sides and corners.
-void number_lots(LotCells& map) {
-  const std::vector<Cell>& cells = map.cells;
+/// Cells come sorted, each once.
+std::vector<std::uint32_t> number_lots(std::span<const Cell> cells) {
   // For each cell one of its region that comes no later; the region's first one stands for itself.
   std::vector<std::uint32_t> earlier(cells.size());
   const auto first_of = [&](std::uint32_t i) {
@@ -61,10 +50,34 @@ void number_lots(LotCells& map) {
       first = std::min(first, other);
     }
   }
-  std::uint32_t lots = 0;
-  map.lots.resize(cells.size());
-  for (std::uint32_t i = 0; i < cells.size(); ++i)
-    map.lots[i] = earlier[i] == i ? ++lots : map.lots[first_of(i)];
+  std::uint32_t count = 0;
+  std::vector<std::uint32_t> lots(cells.size());
+  for (std::uint32_t i = 0; i < cells.size(); ++i) lots[i] = earlier[i] == i ? count++ : lots[first_of(i)];
+  return lots;
+}
+
+/// The lot of each cell that was met.
+std::vector<std::uint32_t> lots_of_cells(std::span<const Cell> met) {
+  struct Met {
+    Cell cell;
+    std::uint32_t place;
+  };
+  std::vector<Met> sorted;
+  sorted.reserve(met.size());
+  for (const Cell& cell : met) sorted.push_back({cell, static_cast<std::uint32_t>(sorted.size())});
+  std::sort(sorted.begin(), sorted.end(), [](const Met& a, const Met& b) { return a.cell < b.cell; });
+  std::vector<Cell> cells;
+  for (const Met& m : sorted) {
+    if (cells.empty() || cells.back() != m.cell) cells.push_back(m.cell);
+  }
+  const std::vector<std::uint32_t> lots = number_lots(cells);
+  std::vector<std::uint32_t> of_met(met.size());
+  std::size_t at = 0;
+  for (const Met& m : sorted) {
+    if (cells[at] != m.cell) ++at;
+    of_met[m.place] = lots[at];
+  }
+  return of_met;
 }
 
 /// Cells in the order in which they are met. Most have been met shortly before: those are not listed again.
@@ -98,19 +111,16 @@ std::vector<std::vector<ExtentPiece>> lots_of(std::span<const ExtentPiece> piece
       first = false;
     });
   }
-  LotCells map{met.cells(), {}};
-  std::sort(map.cells.begin(), map.cells.end());
-  map.cells.erase(std::unique(map.cells.begin(), map.cells.end()), map.cells.end());
-  number_lots(map);
-  std::vector<std::uint32_t> lot_of_met;
-  lot_of_met.reserve(met.cells().size());
-  for (const Cell& cell : met.cells()) lot_of_met.push_back(map.lots[map.find(cell)]);
-  std::vector<std::vector<ExtentPiece>> lots;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::uint32_t lot = lot_of_met[first_cells[i]];
-    if (lots.size() < lot) lots.resize(lot);
-    lots[lot - 1].push_back(pieces[i]);
+  const std::vector<std::uint32_t> lot_of_met = lots_of_cells(met.cells());
+  std::vector<std::size_t> sizes;
+  for (const std::uint32_t place : first_cells) {
+    const std::uint32_t lot = lot_of_met[place];
+    if (sizes.size() <= lot) sizes.resize(lot + 1);
+    ++sizes[lot];
   }
+  std::vector<std::vector<ExtentPiece>> lots(sizes.size());
+  for (std::size_t lot = 0; lot < lots.size(); ++lot) lots[lot].reserve(sizes[lot]);
+  for (std::size_t i = 0; i < pieces.size(); ++i) lots[lot_of_met[first_cells[i]]].push_back(pieces[i]);
   return lots;
 }
 
