@@ -137,7 +137,9 @@ PlaneRowCounts register_points(const PointsView& points, std::span<const std::ui
     // Step 3.
     detail::PlaneRun& run = plain::run_for(runs.with_room_for(1), plain::run_leaf(i, j, k), label, 1);
     const double residual = plain::bounded(beyond * plane_grid::quanta_per_m, plane_row::most_residual);
-    plain::add_bundle(run, i, j, k, 1, static_cast<std::int64_t>(residual * residual));
+    plain::BundleSums bundle;
+    bundle.add(i, j, k, 1, static_cast<std::int64_t>(residual * residual));
+    bundle.add_to(run);
   }
   return counts;
 }

@@ -167,26 +167,30 @@ inline void place(const PlaneRow& row, const PixelPlane& plane, const ColumnSums
   }
 }
 
-inline bool on_grid(std::int32_t i, std::int32_t j, std::int32_t k) noexcept {
-  return static_cast<std::uint32_t>(i | j | k) < static_cast<std::uint32_t>(plane_row::grid_end);
+constexpr std::uint64_t off_grid = ~std::uint64_t{0};
+
+inline std::uint64_t leaf_of(std::int32_t i, std::int32_t j, std::int32_t k) noexcept {
+  const bool inside = static_cast<std::uint32_t>(i | j | k) < static_cast<std::uint32_t>(plane_row::grid_end);
+  return inside ? run_leaf(i, j, k) : off_grid;
 }
 
-/// Step 3, for the first `count` of the bundles.
+/// Step 3, for the first `count` of the bundles: neighbours in one leaf together.
 inline void add_bundles(const Bundles& b, std::int32_t count, std::uint32_t label,
-                        detail::PlaneRunTable& runs, detail::PlaneRun*& run,
-                        PlaneRowCounts& counts) noexcept {
-  for (std::int32_t n = 0; n < count; ++n) {
-    const std::int32_t readings = b.readings[n];
-    if (readings == 0) continue;
-    counts.near_plane += static_cast<std::uint64_t>(readings);
-    if (!on_grid(b.i[n], b.j[n], b.k[n])) {
-      counts.out_of_range += static_cast<std::uint64_t>(readings);
-      continue;
+                        detail::PlaneRunTable& runs, PlaneRowCounts& counts) noexcept {
+  for (std::int32_t n = 0; n < count;) {
+    const std::uint64_t leaf = leaf_of(b.i[n], b.j[n], b.k[n]);
+    BundleSums sums;
+    do {
+      sums.add(b.i[n], b.j[n], b.k[n], b.readings[n], static_cast<std::int64_t>(b.residual[n]));
+      ++n;
+    } while (n < count && leaf_of(b.i[n], b.j[n], b.k[n]) == leaf);
+    if (sums.readings == 0) continue;
+    counts.near_plane += static_cast<std::uint64_t>(sums.readings);
+    if (leaf == off_grid) {
+      counts.out_of_range += static_cast<std::uint64_t>(sums.readings);
+    } else {
+      sums.add_to(run_for(runs, leaf, label, sums.readings));
     }
-    const std::uint64_t leaf = run_leaf(b.i[n], b.j[n], b.k[n]);
-    if (leaf != run->leaf || run->readings + readings > detail::PlaneRun::most_readings)
-      run = &run_for(runs, leaf, label, readings);
-    add_bundle(*run, b.i[n], b.j[n], b.k[n], readings, static_cast<std::int64_t>(b.residual[n]));
   }
 }
 
@@ -210,18 +214,15 @@ void add(const PlaneRow& row, detail::PlaneRunTable& table, PlaneRowCounts& all)
   SquareLabels labels;
   find_labels(row, labels, counts);
   ColumnSums sums;
-  detail::PlaneRun none;
-  none.leaf = ~std::uint64_t{0};
   if (counts.largest_label <= row.plane_count) {
     for_each_span(row, labels, [&](const Span& span) {
       const PixelPlane& plane = row.planes[span.label - 1];
       sum_columns(row, plane, span, sums);
-      detail::PlaneRun* run = &none;
       for (std::int32_t s = span.begin; s < span.end; s += squares_at_once) {
         Bundles bundles;
         place(row, plane, sums, s, bundles);
         const std::int32_t left = span.end - s;
-        add_bundles(bundles, left < squares_at_once ? left : squares_at_once, span.label, runs, run, counts);
+        add_bundles(bundles, left < squares_at_once ? left : squares_at_once, span.label, runs, counts);
       }
     });
   }
