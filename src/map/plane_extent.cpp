@@ -226,9 +226,9 @@ bool sensible(const ExtentPiece& p) {
 }
 
 ExtentPiece bounds_of(const ExtentLoop& loop) {
-  ExtentPiece box{loop.points[0].a, loop.points[0].a, loop.points[0].b, loop.points[0].b, {}};
+  ExtentPiece box{loop.points[0].a, loop.points[0].a, loop.points[0].b, loop.points[0].b};
   for (const PlanePoint& p : loop.points) {
-    box = {std::min(box.a0, p.a), std::max(box.a1, p.a), std::min(box.b0, p.b), std::max(box.b1, p.b), {}};
+    box = {std::min(box.a0, p.a), std::max(box.a1, p.a), std::min(box.b0, p.b), std::max(box.b1, p.b)};
   }
   return box;
 }

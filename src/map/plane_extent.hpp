@@ -17,13 +17,13 @@ struct PlanePoint {
 
 /// |a − lean · b| <= half, counted from the middle of the piece.
 struct ExtentStrip {
-  double lean = 0, half = 1e9;
+  double lean = 0, half = 0;
 };
 
-/// A part of a plane in which there are readings: what two oblique strips through the middle of a rectangle
-/// leave of it.
+/// A rectangle of a plane in which there are readings; if oblique, only where both strips are.
 struct ExtentPiece {
   double a0 = 0, a1 = 0, b0 = 0, b1 = 0;
+  bool oblique = false;
   std::array<ExtentStrip, 2> strips{};
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double least_variance = 1e-9;  // m²
 constexpr double bundle_side = PlaneRow::side;
-constexpr double least_lean = 1e-3;
+constexpr double least_correlation = 0.02;
 
 ExtentPiece covered_by_leaf(const PlaneChart& chart, const PlaneLeaf& leaf) {
   const PlaneLeafSums& s = leaf.sums;
@@ -35,15 +35,15 @@ ExtentPiece covered_by_leaf(const PlaneChart& chart, const PlaneLeaf& leaf) {
   const double a = std::max(least_variance, quadratic(scatter, chart.u));
   const double b = std::max(least_variance, quadratic(scatter, chart.v));
   const double ab = bilinear(scatter, chart.u, chart.v);
-  const auto half = [margin](double variance) {
-    return __builtin_sqrt(3 * std::max(0.0, variance)) + margin;
-  };
-  const double wide = half(a), high = half(b);
-  ExtentPiece piece{middle.a - wide, middle.a + wide, middle.b - high, middle.b + high, {}};
-  piece.strips[0] = {ab / b, half(a - ab * ab / b)};
-  const double steep = ab / a;
-  if (steep > least_lean || steep < -least_lean)
-    piece.strips[1] = {1 / steep, half(b - ab * ab / a) / (steep < 0 ? -steep : steep)};
+  const double wide = __builtin_sqrt(3 * a), high = __builtin_sqrt(3 * b);
+  ExtentPiece piece{middle.a - wide - margin, middle.a + wide + margin, middle.b - high - margin,
+                    middle.b + high + margin};
+  const double correlation = ab * ab / (a * b);  // squared
+  if (correlation < least_correlation) return piece;
+  const double left = __builtin_sqrt(std::max(0.0, 1 - correlation));
+  piece.oblique = true;
+  piece.strips[0] = {ab / b, wide * left + margin};
+  piece.strips[1] = {a / ab, (high * left + margin) * a / (ab < 0 ? -ab : ab)};
   return piece;
 }
 

@@ -91,6 +91,7 @@ PlaneRowCounts register_depth(const DepthView& depth, ImageView<const std::uint1
   PlaneRowCounts counts;
   const std::vector<PixelPlane> by_pixels = pixel_planes(planes, depth.camera);
   RowCopy copy;
+  PlaneColumns columns;
   PlaneRow row;
   row.metres_per_unit = depth.metres_per_unit;
   row.grid = grid_camera(depth.camera, world_from_camera);
@@ -99,7 +100,7 @@ PlaneRowCounts register_depth(const DepthView& depth, ImageView<const std::uint1
   for (row.v = 0; row.v < labels.height; row.v += PlaneRow::side) {
     for (row.u = 0; row.u < labels.width; row.u += PlaneRow::most_columns) {
       show(depth, labels, copy, row);
-      kernels.add(row, runs.with_room_for(PlaneRow::most_runs), counts);
+      kernels.add(row, columns, runs.with_room_for(PlaneRow::most_runs), counts);
     }
   }
   return counts;

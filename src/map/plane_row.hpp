@@ -39,6 +39,16 @@ struct PlaneRow {
   std::uint32_t plane_count = 0;
 };
 
+/// What the readings of a plane in each column of four pixels come to. Memory of the kernels: all zeros
+/// before its first use.
+struct PlaneColumns {
+  static constexpr std::int32_t size = PlaneRow::most_columns + 32;
+
+  std::int32_t readings[size] = {};
+  std::int32_t down[size] = {};  ///< sum of their places in the column, 0 to 3
+  float residual[size] = {};     ///< squares, quanta²
+};
+
 /// What became of the readings of rows.
 struct PlaneRowCounts {
   std::uint64_t labelled = 0;
@@ -51,7 +61,8 @@ struct PlaneRowCounts {
 struct PlaneRowKernels {
   /// Registers a row of squares; one with a label that has no plane is passed over. The table must have room
   /// for `most_runs` more.
-  void (*add)(const PlaneRow& row, detail::PlaneRunTable& runs, PlaneRowCounts& counts) noexcept;
+  void (*add)(const PlaneRow& row, PlaneColumns& columns, detail::PlaneRunTable& runs,
+              PlaneRowCounts& counts) noexcept;
 };
 
 namespace plane_row {

@@ -83,22 +83,13 @@ struct Span {
   std::int32_t begin, end;
 };
 
-/// What the readings of a plane in each column of four pixels come to.
-struct ColumnSums {
-  static constexpr std::int32_t size = PlaneRow::most_columns + side * squares_at_once;
-
-  std::int32_t readings[size];
-  std::int32_t down[size];  ///< sum of their places in the column, 0 to 3
-  float residual[size];     ///< squares, quanta²
-};
-
 inline std::int32_t bits_of(float number) noexcept {
   return __builtin_bit_cast(std::int32_t, number);
 }
 
 /// Step 1.
 inline void sum_columns(const PlaneRow& row, const PixelPlane& plane, const Span& span,
-                        ColumnSums& sums) noexcept {
+                        PlaneColumns& sums) noexcept {
   constexpr std::int32_t at_once = PlaneRow::at_once;
   const double scale = row.metres_per_unit * plane.distance;
   const auto distance = static_cast<float>(plane.distance);
@@ -139,7 +130,7 @@ struct Bundles {
 };
 
 /// Steps 1 and 2 from a square on.
-inline void place(const PlaneRow& row, const PixelPlane& plane, const ColumnSums& sums, std::int32_t square,
+inline void place(const PlaneRow& row, const PixelPlane& plane, const PlaneColumns& sums, std::int32_t square,
                   Bundles& bundles) noexcept {
   double u[squares_at_once], v[squares_at_once];
   for (std::int32_t lane = 0; lane < squares_at_once; ++lane) {
@@ -208,19 +199,20 @@ inline void for_each_span(const PlaneRow& row, const SquareLabels& labels, Visit
   }
 }
 
-void add(const PlaneRow& row, detail::PlaneRunTable& table, PlaneRowCounts& all) noexcept {
+void add(const PlaneRow& row, PlaneColumns& columns, detail::PlaneRunTable& table,
+         PlaneRowCounts& all) noexcept {
+  static_assert(PlaneColumns::size == PlaneRow::most_columns + side * squares_at_once);
   PlaneRowCounts counts = all;  // copies of its own stay in registers
   detail::PlaneRunTable runs = table;
   SquareLabels labels;
   find_labels(row, labels, counts);
-  ColumnSums sums;
   if (counts.largest_label <= row.plane_count) {
     for_each_span(row, labels, [&](const Span& span) {
       const PixelPlane& plane = row.planes[span.label - 1];
-      sum_columns(row, plane, span, sums);
+      sum_columns(row, plane, span, columns);
       for (std::int32_t s = span.begin; s < span.end; s += squares_at_once) {
         Bundles bundles;
-        place(row, plane, sums, s, bundles);
+        place(row, plane, columns, s, bundles);
         const std::int32_t left = span.end - s;
         add_bundles(bundles, left < squares_at_once ? left : squares_at_once, span.label, runs, counts);
       }

@@ -69,7 +69,9 @@ TEST_CASE("closing grows and shrinks again, cell by cell") {
 }
 
 TEST_CASE("of a piece that leans the corners are not painted") {
-  ExtentPiece whole{-0.5, 0.5, -0.5, 0.5, {}}, piece = whole;
+  const ExtentPiece whole{-0.5, 0.5, -0.5, 0.5};
+  ExtentPiece piece = whole;
+  piece.oblique = true;
   const double slope = GENERATE(-0.5, 0.5);
   piece.strips[0] = {slope, 0.25};     // |a − slope b| <= 0.25
   piece.strips[1] = {1 / slope, 0.5};  // |b − slope a| <= 0.25
@@ -89,7 +91,7 @@ TEST_CASE("of a piece that leans the corners are not painted") {
 }
 
 TEST_CASE("a rectangle is four corners") {
-  const std::vector<ExtentPiece> piece{{-1, 2, 0.5, 1.5, {}}};
+  const std::vector<ExtentPiece> piece{{-1, 2, 0.5, 1.5}};
   const auto loops = extent_loops(piece, {});
   REQUIRE(loops.size() == 1);
   CHECK(loops[0].points.size() == 4);

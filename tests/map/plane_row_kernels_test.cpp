@@ -81,8 +81,9 @@ Outcome outcome_of(const Pixels& pixels, const PlaneRowKernels& kernels, int tim
   std::vector<detail::PlaneRun> memory;
   std::vector<std::uint32_t> slots;
   PlaneRuns runs(memory, slots);
+  PlaneColumns columns;
   for (int time = 0; time < times; ++time)
-    kernels.add(pixels.row, runs.with_room_for(PlaneRow::most_runs), outcome.counts);
+    kernels.add(pixels.row, columns, runs.with_room_for(PlaneRow::most_runs), outcome.counts);
   outcome.runs.assign(runs.all().begin(), runs.all().end());
   return outcome;
 }
@@ -217,8 +218,9 @@ TEST_CASE("a full run is followed by another one of the same leaf", "[plane_row]
   row.plane_count = 1;
   for (double& o : row.grid.origin) o = 268435456.0 + 10;
   PlaneRowCounts counts;
+  PlaneColumns columns;
   const auto& kernels = *best_kernels().plane_rows;
-  for (int y = 0; y < 30; ++y) kernels.add(row, runs.with_room_for(PlaneRow::most_runs), counts);
+  for (int y = 0; y < 30; ++y) kernels.add(row, columns, runs.with_room_for(PlaneRow::most_runs), counts);
   REQUIRE(runs.all().size() == 3);
   const auto readings = [&runs] {
     std::int32_t all = 0;
@@ -233,7 +235,7 @@ TEST_CASE("a full run is followed by another one of the same leaf", "[plane_row]
   }
   CHECK(readings() == 640 * 4 * 30);
   CHECK(runs.with_room_for(100000).used == 3);  // grown, and still found
-  kernels.add(row, runs.with_room_for(PlaneRow::most_runs), counts);
+  kernels.add(row, columns, runs.with_room_for(PlaneRow::most_runs), counts);
   CHECK(runs.all().size() == 3);
   CHECK(readings() == 640 * 4 * 31);
 }
