@@ -12,6 +12,9 @@
 namespace straightedge {
 namespace {
 
+constexpr double root_3 = 1.7320508075688772;
+// To each side of a bundle: what is left open between two is closed with all narrow gaps.
+constexpr double closed_anyway = plane_grid::leaf_m / 4;
 constexpr double least_variance = 1e-9;  // m²
 constexpr double bundle_side = PlaneRow::side;
 constexpr double least_correlation = 0.02;
@@ -30,20 +33,22 @@ ExtentPiece covered_by_leaf(const PlaneChart& chart, const PlaneLeaf& leaf) {
                                          spread(s.yz, mean.y, mean.z), spread(s.zz, mean.z, mean.z)};
   const PlanePoint middle =
       chart.on(leaf_centre(morton_decode(leaf.key.leaf)) + mean + Vector3{q / 2, q / 2, q / 2});
-  const double spacing = s.spacing == plane_grid::no_spacing ? 0 : s.spacing;
-  const double margin = std::max(spacing * q / 2, (bundle_side * spacing * q - plane_grid::leaf_m) / 2);
+  const double spacing = s.spacing == plane_grid::no_spacing ? 0 : s.spacing * q;
+  const auto half = [spacing](double deviation) {
+    return std::max(root_3 * deviation + spacing / 2, bundle_side * spacing / 2 - closed_anyway);
+  };
   const double a = std::max(least_variance, quadratic(scatter, chart.u));
   const double b = std::max(least_variance, quadratic(scatter, chart.v));
   const double ab = bilinear(scatter, chart.u, chart.v);
-  const double wide = __builtin_sqrt(3 * a), high = __builtin_sqrt(3 * b);
-  ExtentPiece piece{middle.a - wide - margin, middle.a + wide + margin, middle.b - high - margin,
-                    middle.b + high + margin};
+  const double deviation_a = __builtin_sqrt(a), deviation_b = __builtin_sqrt(b);
+  const double wide = half(deviation_a), high = half(deviation_b);
+  ExtentPiece piece{middle.a - wide, middle.a + wide, middle.b - high, middle.b + high};
   const double correlation = ab * ab / (a * b);  // squared
   if (correlation < least_correlation) return piece;
   const double left = __builtin_sqrt(std::max(0.0, 1 - correlation));
   piece.oblique = true;
-  piece.strips[0] = {ab / b, wide * left + margin};
-  piece.strips[1] = {a / ab, (high * left + margin) * a / (ab < 0 ? -ab : ab)};
+  piece.strips[0] = {ab / b, half(deviation_a * left)};
+  piece.strips[1] = {a / ab, half(deviation_b * left) * a / (ab < 0 ? -ab : ab)};
   return piece;
 }
 

@@ -28,10 +28,10 @@ ExtentOptions extent_options(const PlaneMapOptions& options);
 /// Step 7 of the builder: the borders of the leaves' readings on the plane.
 ///
 /// A leaf covers the rectangle that a uniform spread with its second moments would have, √3 deviations to
-/// each side of its mean, and half the way to the next reading. Far, oblique views do not fall apart: where
-/// bundles of readings stand farther apart than leaves, half the way between two such leaves. Where its
-/// readings lie along an oblique border one coordinate tells of the other: of the rectangle remains what
-/// is within √3 of the deviations that are left, of each coordinate when the other one is known.
+/// each side of its mean, and half the way to the next reading; and no less than one bundle of readings does,
+/// so that far, oblique views do not fall apart. Where its readings lie along an oblique border one
+/// coordinate tells of the other: of the rectangle remains what is within √3 of the deviations that are left,
+/// of each coordinate when the other one is known.
 std::vector<ExtentPiece> covered_by(const PlaneChart& chart, std::span<const PlaneLeaf> leaves,
                                     std::span<const std::uint32_t> which);
 
