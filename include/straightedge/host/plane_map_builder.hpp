@@ -33,7 +33,7 @@ struct PlaneMapOptions {
   double copy_offset = 0.06;        ///< metres, 0..1; and no farther off, is a copy of it
   std::uint64_t min_points = 1500;  ///< planes with fewer readings are dropped
   double max_tilt = 0.1;       ///< radians, 0..2; planes whose tilt is not known as well as this are dropped
-  double max_residual = 1.55;  ///< sigma, above 0; planes that one frame saw are dropped beyond it,
+  double max_residual = 1.58;  ///< sigma, above 0; planes that one frame saw are dropped beyond it,
   std::uint64_t sure_points = 15000;  ///< unless they have as many readings
   double min_area = 0.01;  ///< m², 0..1e6; planes with less extent are dropped, and so are such pieces of one
   double max_gap = 0.15;   ///< metres, 0..10; places without readings this narrow are closed
