@@ -18,10 +18,10 @@ namespace straightedge {
 namespace plane_grid {
 inline constexpr double quanta_per_m = 2048;
 inline constexpr double quantum_m = 1 / quanta_per_m;
-inline constexpr int leaf_bits = 8;                        ///< 256 quanta: a leaf has sides of 1/8 m
-inline constexpr std::int32_t leaf_side = 1 << leaf_bits;  ///< quanta
-inline constexpr double leaf_m = leaf_side * quantum_m;    ///< metres
-inline constexpr int axis_bits = morton_levels;            ///< leaves along an axis: 2^21
+inline constexpr int leaf_bits = 8;                                 ///< 256 quanta: a leaf has sides of 1/8 m
+inline constexpr std::int32_t leaf_side = 1 << leaf_bits;           ///< quanta
+inline constexpr double leaf_m = leaf_side * quantum_m;             ///< metres
+inline constexpr int axis_bits = morton_levels;                     ///< leaves along an axis: 2^21
 inline constexpr double reach_m = leaf_m * (1 << (axis_bits - 1));  ///< the grid covers ±131072 m
 inline constexpr double weight_unit = 16;                           ///< one unit of weight, 1/m²
 inline constexpr std::int64_t most_weight = 1 << 16;                ///< of one reading: sigma 1 mm

@@ -89,8 +89,8 @@ struct PlaneMapReading {
 ///
 /// Adding a frame (time proportional to its pixels; nothing depends on the size of the map):
 ///  1. The readings of one plane in a square of 4x4 pixels become a bundle. It stands at the mean of their
-///     pixels, where that one's ray meets the frame's plane, which was fitted in inverse depth and is therefore
-///     better than any reading; how far each reading is off the plane is remembered as residual.
+///     pixels, where that one's ray meets the frame's plane, which was fitted in inverse depth and is
+///     therefore better than any reading; how far each reading is off the plane is remembered as residual.
 ///  2. By the pose into the world, and onto the grid of plane_leaves.hpp.
 ///  3. Leaf and surface choose an entry; readings, weight, place and products are added to it as integers.
 /// Reading planes out (time n log n in the number of leaves):
