@@ -6,6 +6,7 @@
 #include "depth_scene.hpp"
 #include "plane_rows.hpp"
 #include "rows.hpp"
+#include "straightedge/host/frame_cells.hpp"
 #include "straightedge/host/kernels.hpp"
 #include "straightedge/ransac_planes.hpp"
 #include "straightedge/ransac_search.hpp"
@@ -58,15 +59,19 @@ auto prepare_planes(const RansacOptions& options) {
 auto prepare_search(Size size) {
   struct Work {
     DepthScene scene;
+    FrameCells cells;
     std::vector<std::byte> workspace;
     std::vector<ProposedPlane> candidates;
     RansacSearch search;
   };
-  auto w = std::make_shared<Work>(Work{make_depth_scene(size), {}, std::vector<ProposedPlane>(64), {}});
+  DepthScene scene = make_depth_scene(size);
+  FrameCells cells(scene.inverse_depth);
+  auto w = std::make_shared<Work>(
+      Work{std::move(scene), std::move(cells), {}, std::vector<ProposedPlane>(64), {}});
   w->workspace.resize(RansacSearch::workspace_bytes(size, {}));
   require(RansacSearch::prepare(w->search, size, {}, w->workspace), "prepare search");
   return [w] {
-    const RansacSearchResult result = w->search.run(w->scene.inverse_depth.view(), {}, w->candidates);
+    const RansacSearchResult result = w->search.run(w->cells.view(), {}, w->candidates);
     require(result.status, "search");
     require_some(result.candidates, "candidates");
   };

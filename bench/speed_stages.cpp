@@ -7,6 +7,7 @@
 #include "speed_rows.hpp"
 #include "straightedge/canny.hpp"
 #include "straightedge/gaussian.hpp"
+#include "straightedge/host/frame_cells.hpp"
 #include "straightedge/host/line_map_builder.hpp"
 #include "straightedge/hough_plane_patches.hpp"
 #include "straightedge/hysteresis.hpp"
@@ -109,6 +110,7 @@ struct SearchWork {
   std::vector<std::byte> memory = std::vector<std::byte>(Search::workspace_bytes(size, options));
   std::vector<ProposedPlane> candidates = std::vector<ProposedPlane>(64);
   Search search;
+  FrameCells cells{scene.inverse_depth, 0, *best_kernels().depth};
 
   SearchWork() { need(Search::prepare(search, size, options, memory) == Status::ok, "no search"); }
 };
@@ -117,8 +119,7 @@ Job ransac_search_job() {
   return {"search for planes", text_of(size), pixels_of(size), "pixel", [](const KernelSet&) -> Call {
             auto w = std::make_shared<SearchWork<RansacSearch, RansacSearchOptions>>();
             return [w] {
-              need(w->search.run(w->scene.inverse_depth.view(), {}, w->candidates).status == Status::ok,
-                   "no search");
+              need(w->search.run(w->cells.view(), {}, w->candidates).status == Status::ok, "no search");
             };
           }};
 }

@@ -55,7 +55,7 @@ struct SearchSums {
 };
 
 /// Cells in rows `stride` apart, the rows whole groups of search_lanes or followed by cells without a
-/// reading. Kernels may read, and write into arrays of marks and costs, up to search_overrun cells after a
+/// reading. Kernels may read, and write into arrays of marks, up to search_overrun cells after a
 /// row.
 struct SearchBox {
   std::int32_t width = 0, height = 0;
@@ -67,6 +67,23 @@ inline constexpr std::int32_t search_overrun = 64;
 struct SearchMarks {
   std::uint32_t cells = 0;
   std::int32_t first_row = 0, end_row = 0;
+};
+
+/// Numbers of cells in the order of DepthCell, each kind `apart` floats from the last.
+struct SearchCells {
+  const float* first = nullptr;
+  std::ptrdiff_t apart = 0;
+  float middle_u = 0, middle_v = 0;  ///< from where their pixels count
+};
+
+/// The gate of a reading is the larger of `least` and `per_square` q².
+struct SearchGate {
+  float least = 0, per_square = 0;
+  float most_squared = 1;  ///< (residual / gate)²
+};
+
+struct SearchOutput {
+  float *u = nullptr, *v = nullptr, *q = nullptr, *w = nullptr, *squares = nullptr;
 };
 
 struct PlaneSearchKernels {
@@ -82,34 +99,33 @@ struct PlaneSearchKernels {
   void (*sum_inliers)(const SearchReadings& readings, std::uint32_t padded, const SearchPlane& plane,
                       float most, SearchSums& sums) noexcept;
 
-  /// Every `step`-th of a row of 1/z from `first` on, or `none` where it is no reading: not above 0, or above
-  /// 1e6.
-  void (*take_readings)(const float* first, std::int32_t step, std::int32_t count, float none,
-                        float* q) noexcept;
-  /// 1 / gate of readings: 1 over the larger of `least` and `per_square` q². What is beyond 1e6, or whose
-  /// gate reaches q, is no reading: q becomes `none`. Where q is `none`, w is 1.
-  void (*weigh)(float* q, float* w, std::int32_t padded, float least, float per_square, float none) noexcept;
+  /// Readings of cells that lie one after another, as DepthCells has them: u, v, q, w of each. A cell is one
+  /// if it has readings, at most 1e6, its gate does not reach infinity, and the plane that fits it best
+  /// leaves residuals of at most `most_squared` on average. Else q is `none`. `squares`: the sum of
+  /// (residual / gate)² of that plane. Kernels may read and write up to the next multiple of search_lanes.
+  void (*take_cells)(const SearchCells& cells, std::int32_t count, const SearchGate& gate, float none,
+                     const SearchOutput& out) noexcept;
+
+  /// Cells of `side` pixels one beside the other, of which a row of the picture has `labels`: q becomes
+  /// `none` where one of the labels of a cell's `rows` rows is not 0. `side` is a multiple of 4.
+  void (*mask_cells)(const std::uint16_t* labels, std::ptrdiff_t stride, std::int32_t rows, std::int32_t side,
+                     std::int32_t count, float none, float* q) noexcept;
 
   /// How many of `q` are above 0, in rows up to the next multiple of search_lanes or somewhat less.
   std::uint32_t (*count_readings)(const float* q, const SearchBox& box) noexcept;
 
-  /// 1 for each cell whose reading is within the gate, else 0.
+  /// 1 for each cell whose (residual / gate)² is below `most`, else 0.
   void (*mark_hits)(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane,
-                    std::uint8_t* hit) noexcept;
+                    float most, std::uint8_t* hit) noexcept;
   /// `core` is 1 for each hit that has three hits among its eight neighbours, else 0. `columns` gets the OR
   /// over each column; `counts` is room for a row.
   SearchMarks (*keep_dense)(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core,
                             std::uint8_t* counts, std::uint8_t* columns) noexcept;
+  /// q of marked cells becomes `none`.
+  void (*empty_marked)(const std::uint8_t* core, const SearchBox& box, float none, float* q) noexcept;
   /// Sums over the marked cells, u and v counted from (u0, v0). `marks` is room for a row.
   void (*sum_marked)(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
                      const SearchPlane& plane, float u0, float v0, float* marks, SearchSums& sums) noexcept;
-
-  /// What a cell costs is min((residual / gate)², 1), its own and those of the eight round it added up.
-  /// Marked cells for which this is less than `cost` get that cost and the label. `rows` is room for five
-  /// rows of the box.
-  void (*take_cheaper)(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
-                       const SearchPlane& plane, float label, float* rows, float* cost,
-                       float* owner) noexcept;
 };
 
 /// Portable loops; what every other table is compared with.

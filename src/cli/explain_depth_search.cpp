@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "cli/explain_depth_run.hpp"
+#include "straightedge/host/frame_cells.hpp"
 
 namespace straightedge::cli {
 namespace {
 
-constexpr std::int32_t window_side = 196;  // pixels: the search's largest windows have 49 cells of 4
-constexpr std::int32_t window_step = 98;
+constexpr std::int32_t window_side = 208;  // pixels: the search's largest windows have 13 cells of 16
+constexpr std::int32_t window_step = 104;
 constexpr std::uint32_t window_subset = 256;
 constexpr double wanted_share = 0.4;
 
@@ -85,7 +86,8 @@ void search_by_ransac(ExplainDepthRun& run) {
   if (RansacSearch::prepare(search, size, options, memory) != Status::ok) return;
   RansacStage& stage = run.ransac;
   stage.candidates.resize(run.options.frame.max_planes);
-  stage.result = search.run(run.inverse_depth, {}, stage.candidates);
+  const FrameCells cells(run.inverse_depth);
+  stage.result = search.run(cells.view(), {}, stage.candidates);
   stage.candidates.resize(stage.result.candidates);
   for (const ProposedPlane& candidate : stage.candidates) run.candidates.push_back(candidate.fit.plane);
 }

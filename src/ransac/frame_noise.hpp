@@ -7,8 +7,10 @@
 namespace straightedge::ransac {
 
 /// How far readings of this frame stray from the planes on which they lie, in units of the standard deviation
-/// that the gate supposes: the lower quartile over windows on a grid, each the residual of its best plane.
-/// Between 1 and most_noise; 1 if there are too few such windows, or the gate is in metres.
-double frame_noise(const Lattice& lattice, const RansacSearchOptions& options) noexcept;
+/// that the gate supposes: the lower quartile over the lattice's cells, each the residual of its best plane.
+/// Between 1 and most_noise; 1 if there are too few such cells, or the gate is in metres. Takes the
+/// lattice with a gate of its own.
+double frame_noise(const Lattice& lattice, const DepthCells& cells,
+                   const RansacSearchOptions& options) noexcept;
 
 }  // namespace straightedge::ransac

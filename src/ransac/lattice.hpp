@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "straightedge/image.hpp"
 #include "straightedge/plane_gate.hpp"
@@ -14,30 +13,39 @@ namespace straightedge::ransac {
 /// What a cell without a reading has in place of 1/z: far outside every gate, and harmless in sums times 0.
 inline constexpr float no_reading = -1e30F;
 
+/// Means of cells stray less from their plane than pixels: so much narrower is their gate.
+inline constexpr float mean_gate = 0.4F;
+
 /// Cells of one row are worked on in groups of so many; see CellBox.
 inline constexpr std::int32_t cell_lanes = search_lanes;
 
 /// Empty cells left of a row; on the right there are those of the next row.
 inline constexpr std::int32_t border = 16;
 
-/// One reading of every cell of the picture. Rows are `stride` cells long and have a border of empty cells.
+/// The picture's cells of one size, each with one reading. Rows are `stride` cells long and have a border of
+/// empty cells.
 struct Lattice {
-  Lattice(Size size, const RansacSearchOptions& options, const detail::RansacSearchMemory& arrays) noexcept
-      : cell(options.cell),
-        columns((size.width + cell - 1) / cell),
-        rows((size.height + cell - 1) / cell),
-        stride((columns + 15) / 16 * 16 + border),
-        memory(arrays),
+  Lattice(Size size, int of_level, const RansacSearchOptions& options,
+          const detail::RansacSearchMemory& all) noexcept
+      : level(of_level),
+        cell(DepthCells::side_of(level)),
+        columns(DepthCells::size_of(size, level).width),
+        rows(DepthCells::size_of(size, level).height),
+        stride(static_cast<std::int32_t>(detail::RansacSearchMemory::stride_of({columns, rows}))),
+        cells(all.levels[static_cast<std::size_t>(level)]),
+        memory(all),
         kernels(*options.kernels) {}
 
+  int level;          ///< of DepthCells
   std::int32_t cell;  ///< pixels
   std::int32_t columns, rows, stride;
+  const detail::RansacSearchLevel& cells;
   const detail::RansacSearchMemory& memory;
   const PlaneSearchKernels& kernels;
 
   /// The readings from a place in the arrays on.
-  SearchReadings readings(std::span<const float> q, std::size_t place) const noexcept {
-    return {&memory.u[place], &memory.v[place], &q[place], &memory.w[place]};
+  SearchReadings readings(std::size_t place) const noexcept {
+    return {&cells.u[place], &cells.v[place], &cells.q[place], &cells.w[place]};
   }
   /// Place in the arrays; column and row counted without the border.
   std::size_t at(std::int32_t column, std::int32_t row) const noexcept {
@@ -63,17 +71,30 @@ inline CellBox whole(const Lattice& lattice) noexcept {
 /// The square of 2 half + 1 cells round a cell, as far as it is in the picture; x0 and x1 as above.
 CellBox box_round(const Lattice& lattice, std::int32_t column, std::int32_t row, std::int32_t half) noexcept;
 
-/// So many cells more on every side, as far as the picture goes.
-CellBox widened(const Lattice& lattice, const CellBox& box, std::int32_t cells) noexcept;
+/// The cells that a box of another lattice's touches, and those around them.
+CellBox box_over(const Lattice& lattice, const Lattice& of, const CellBox& box) noexcept;
 
 /// Every cell empty. The border stays so: what follows writes the cells alone.
 void clear_lattice(const Lattice& lattice) noexcept;
 
-/// Draws one reading of every cell by chance. Cells without any stay empty. Returns how many are not.
-std::uint32_t draw_lattice(const Lattice& lattice, ImageView<const float> inverse_depth,
-                           ImageView<const std::uint16_t> mask, const RansacSearchOptions& options) noexcept;
+/// The gate of means of cells; that of pixels is so many times as wide as the options say.
+SearchGate search_gate(const PlaneGate& gate, double times) noexcept;
 
-/// The gate of every reading becomes so many times as wide.
-void widen_gates(const Lattice& lattice, double times) noexcept;
+/// Takes a row of the cells of a level. Those that are no reading, or curved, or of two surfaces, stay empty.
+/// memory.row gets the squares of their own residuals.
+void take_row(const Lattice& lattice, const DepthCells& cells, std::int32_t row,
+              const SearchGate& gate) noexcept;
+
+/// Takes all of them.
+void take_lattice(const Lattice& lattice, const DepthCells& cells, const SearchGate& gate) noexcept;
+
+/// How many cells are readings.
+std::uint32_t count_readings(const Lattice& lattice) noexcept;
+
+/// Cells with a masked pixel become empty.
+void mask_lattice(const Lattice& lattice, ImageView<const std::uint16_t> mask) noexcept;
+
+/// Cells of `coarse` become empty that have an empty one among those of `fine`.
+void mask_coarser(const Lattice& fine, const Lattice& coarse) noexcept;
 
 }  // namespace straightedge::ransac

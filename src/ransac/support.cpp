@@ -42,19 +42,20 @@ void bound_columns(const Lattice& lattice, const CellBox& box, CellBox& bounds) 
 
 }  // namespace
 
-Core mark_core(const Lattice& lattice, std::span<const float> q, const InverseDepthPlane& plane,
-               const CellBox& box) noexcept {
-  const detail::RansacSearchMemory& m = lattice.memory;
+Core mark_core(const Lattice& lattice, const InverseDepthPlane& plane, const CellBox& box,
+               float gates) noexcept {
+  const detail::RansacSearchLevel& c = lattice.cells;
   // Neighbours of the cells at the border of the box count too, where the picture has any.
   const std::int32_t x0 = box.x0 > 0 ? box.x0 - cell_lanes : 0;
   const std::int32_t x1 = box.x1 < lattice.columns ? box.x1 + 1 : lattice.columns;
   const std::int32_t y0 = box.y0 > 0 ? box.y0 - 1 : 0;
   const std::int32_t y1 = box.y1 < lattice.rows ? box.y1 + 1 : lattice.rows;
   const std::size_t outer = lattice.at(x0, y0), inner = lattice.at(box.x0, box.y0);
-  lattice.kernels.mark_hits(lattice.readings(q, outer), {x1 - x0, y1 - y0, lattice.stride}, in_floats(plane),
-                            &m.hit[outer]);
-  const SearchMarks marks = lattice.kernels.keep_dense(&m.hit[inner], shape_of(lattice, box), &m.core[inner],
-                                                       m.counts.data(), m.columns.data());
+  lattice.kernels.mark_hits(lattice.readings(outer), {x1 - x0, y1 - y0, lattice.stride}, in_floats(plane),
+                            gates * gates, &c.hit[outer]);
+  const SearchMarks marks =
+      lattice.kernels.keep_dense(&c.hit[inner], shape_of(lattice, box), &c.core[inner],
+                                 lattice.memory.counts.data(), lattice.memory.columns.data());
   Core core;
   if (marks.cells == 0) return core;
   core.cells = marks.cells;
@@ -64,8 +65,8 @@ Core mark_core(const Lattice& lattice, std::span<const float> q, const InverseDe
   return core;
 }
 
-CoreSums sum_core(const Lattice& lattice, std::span<const float> q, const InverseDepthPlane& plane,
-                  const CellBox& box, std::int32_t row_step) noexcept {
+CoreSums sum_core(const Lattice& lattice, const InverseDepthPlane& plane, const CellBox& box,
+                  std::int32_t row_step) noexcept {
   // Counted from the middle of the box, floats resolve a small region as well as a large one.
   const std::int32_t middle_u = (box.x0 + box.x1) / 2 * lattice.cell;
   const std::int32_t middle_v = (box.y0 + box.y1) / 2 * lattice.cell;
@@ -76,8 +77,8 @@ CoreSums sum_core(const Lattice& lattice, std::span<const float> q, const Invers
     const SearchBox rows{box.x1 - box.x0, left < rows_at_once ? left : rows_at_once,
                          static_cast<std::ptrdiff_t>(lattice.stride) * row_step};
     SearchSums part;
-    lattice.kernels.sum_marked(lattice.readings(q, first), &lattice.memory.core[first], rows,
-                               in_floats(plane), static_cast<float>(middle_u), static_cast<float>(middle_v),
+    lattice.kernels.sum_marked(lattice.readings(first), &lattice.cells.core[first], rows, in_floats(plane),
+                               static_cast<float>(middle_u), static_cast<float>(middle_v),
                                lattice.memory.row.data(), part);
     add(part, sums);
   }
@@ -85,10 +86,10 @@ CoreSums sum_core(const Lattice& lattice, std::span<const float> q, const Invers
   return sums;
 }
 
-bool refit_core(const Lattice& lattice, std::span<const float> q, const CellBox& box, std::int32_t row_step,
-                double sigma, InverseDepthFit& fit, double& rms_gates) noexcept {
+bool refit_core(const Lattice& lattice, const CellBox& box, std::int32_t row_step, double sigma,
+                InverseDepthFit& fit, double& rms_gates) noexcept {
   const InverseDepthPlane before = fit.plane;
-  const CoreSums sums = sum_core(lattice, q, before, box, row_step);
+  const CoreSums sums = sum_core(lattice, before, box, row_step);
   if (fit_inverse_depth(sums.moments, sigma, fit) != Status::ok) return false;
   fit.plane = {before.a + fit.plane.a, before.b + fit.plane.b, before.c + fit.plane.c};
   rms_gates = fit.rms * square_root(sums.ww / sums.moments.n);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "ransac/lattice.hpp"
 #include "straightedge/inverse_depth.hpp"
@@ -12,14 +11,15 @@ namespace straightedge::ransac {
 
 struct Core {
   std::uint32_t cells = 0;
-  CellBox bounds;  ///< of the marked cells, columns in groups; empty without any
+  double rms_gates = 0;  ///< of the last refit to them
+  CellBox bounds;        ///< of the marked cells, columns in groups; empty without any
 };
 
-/// Marks in memory.core the cells of the box that support the plane: the reading in `q` is within the gate,
+/// Marks in cells.core the cells of the box that support the plane: the reading is within the gate,
 /// and so are the readings of three of the eight cells round it. A plane that cuts through another surface
 /// finds single cells there, not patches. Cells outside the box keep what they had.
-Core mark_core(const Lattice& lattice, std::span<const float> q, const InverseDepthPlane& plane,
-               const CellBox& box) noexcept;
+Core mark_core(const Lattice& lattice, const InverseDepthPlane& plane, const CellBox& box,
+               float gates = 1) noexcept;
 
 /// Sums over the marked cells.
 struct CoreSums {
@@ -29,12 +29,12 @@ struct CoreSums {
 
 /// In groups of cell_lanes cells: partial sums by place in the group for each row of cells, rows in order.
 /// Rows row_step apart.
-CoreSums sum_core(const Lattice& lattice, std::span<const float> q, const InverseDepthPlane& plane,
-                  const CellBox& box, std::int32_t row_step) noexcept;
+CoreSums sum_core(const Lattice& lattice, const InverseDepthPlane& plane, const CellBox& box,
+                  std::int32_t row_step) noexcept;
 
 /// Least squares on the marked cells of the box. `rms_gates` is what is left of the residuals, as a share of
 /// the gate. False: too few, or on one line.
-bool refit_core(const Lattice& lattice, std::span<const float> q, const CellBox& box, std::int32_t row_step,
-                double sigma, InverseDepthFit& fit, double& rms_gates) noexcept;
+bool refit_core(const Lattice& lattice, const CellBox& box, std::int32_t row_step, double sigma,
+                InverseDepthFit& fit, double& rms_gates) noexcept;
 
 }  // namespace straightedge::ransac

@@ -73,46 +73,48 @@ void optimise(const Lattice& lattice, const Window& w, Scored& best) noexcept {
   }
 }
 
-void append_row(const Lattice& lattice, std::size_t first, std::int32_t columns, std::int32_t step,
-                Window& window) noexcept {
-  const detail::RansacSearchMemory& m = lattice.memory;
+void append_row(const Lattice& lattice, std::size_t first, std::int32_t columns, Window& window) noexcept {
+  const detail::RansacSearchLevel& from = lattice.cells;
   const auto u0 = static_cast<float>(window.u0), v0 = static_cast<float>(window.v0);
   std::uint32_t k = window.count;
-  for (std::int32_t c = 0; c < columns; ++c, first += static_cast<std::size_t>(step)) {
+  for (std::int32_t c = 0; c < columns; ++c, ++first) {
     // Written in any case; what is no reading the next one overwrites.
-    window.u[k] = m.u[first] - u0;
-    window.v[k] = m.v[first] - v0;
-    window.q[k] = m.free_q[first];
-    window.w[k] = m.w[first];
-    k += m.free_q[first] > 0 ? 1U : 0U;
+    window.u[k] = from.u[first] - u0;
+    window.v[k] = from.v[first] - v0;
+    window.q[k] = from.q[first];
+    window.w[k] = from.w[first];
+    k += from.q[first] > 0 ? 1U : 0U;
   }
   window.count = k;
 }
 
+/// A window's cells, as far as they are in the picture.
+struct Extent {
+  std::int32_t column, row, columns, rows;
+
+  Extent(const Lattice& l, std::int32_t middle_column, std::int32_t middle_row) noexcept
+      : column(middle_column > window_half ? middle_column - window_half : 0),
+        row(middle_row > window_half ? middle_row - window_half : 0),
+        columns(
+            (middle_column + window_half < l.columns ? middle_column + window_half + 1 : l.columns) - column),
+        rows((middle_row + window_half < l.rows ? middle_row + window_half + 1 : l.rows) - row) {}
+};
+
 }  // namespace
 
-std::uint32_t count_free(const Lattice& lattice, std::int32_t column, std::int32_t row,
-                         std::int32_t half) noexcept {
-  const std::int32_t c0 = column > half ? column - half : 0, r0 = row > half ? row - half : 0;
-  const std::int32_t c1 = column + half < lattice.columns ? column + half + 1 : lattice.columns;
-  const std::int32_t r1 = row + half < lattice.rows ? row + half + 1 : lattice.rows;
-  return lattice.kernels.count_readings(&lattice.memory.free_q[lattice.at(c0, r0)],
-                                        {c1 - c0, r1 - r0, lattice.stride});
+std::uint32_t count_free(const Lattice& lattice, std::int32_t column, std::int32_t row) noexcept {
+  const Extent e(lattice, column, row);
+  return lattice.kernels.count_readings(&lattice.cells.q[lattice.at(e.column, e.row)],
+                                        {e.columns, e.rows, lattice.stride});
 }
 
-void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, const WindowShape& shape,
-            Window& window) noexcept {
+void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, Window& window) noexcept {
   window.count = 0;
   window.u0 = column * lattice.cell;
   window.v0 = row * lattice.cell;
-  std::int32_t c0 = column - shape.half, r0 = row - shape.half;
-  while (c0 < 0) c0 += shape.step;
-  while (r0 < 0) r0 += shape.step;
-  const std::int32_t c1 = column + shape.half < lattice.columns ? column + shape.half : lattice.columns - 1;
-  const std::int32_t r1 = row + shape.half < lattice.rows ? row + shape.half : lattice.rows - 1;
-  const std::int32_t columns = c1 < c0 ? 0 : (c1 - c0) / shape.step + 1;
-  for (std::int32_t r = r0; r <= r1; r += shape.step)
-    append_row(lattice, lattice.at(c0, r), columns, shape.step, window);
+  const Extent e(lattice, column, row);
+  for (std::int32_t r = e.row; r < e.row + e.rows; ++r)
+    append_row(lattice, lattice.at(e.column, r), e.columns, window);
   for (std::uint32_t k = window.count; k < padded(window); ++k) {
     window.u[k] = window.v[k] = 0;
     window.q[k] = no_reading;

@@ -9,13 +9,9 @@
 
 namespace straightedge::ransac {
 
-/// Windows of one size: squares of 2 half + 1 cells, of which every step-th column and row is looked at.
-struct WindowShape {
-  std::int32_t half = 0;
-  std::int32_t step = 1;
-};
+/// Windows are squares of 13 cells.
+inline constexpr std::int32_t window_half = 6;
 
-/// Every shape's readings fit: at most 13 columns and rows are looked at.
 using Window = detail::RansacWindow;
 
 inline SearchReadings readings_of(const Window& w) noexcept {
@@ -27,11 +23,9 @@ constexpr std::uint32_t padded(const Window& w) noexcept {
 
 /// Free readings of a window's cells and of some to the right of it: where there are few, it need not be
 /// gathered.
-std::uint32_t count_free(const Lattice& lattice, std::int32_t column, std::int32_t row,
-                         std::int32_t half) noexcept;
+std::uint32_t count_free(const Lattice& lattice, std::int32_t column, std::int32_t row) noexcept;
 
-void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, const WindowShape& shape,
-            Window& window) noexcept;
+void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, Window& window) noexcept;
 
 /// What a search in one window found.
 struct WindowPlane {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "run_planes.hpp"
+#include "straightedge/host/frame_cells.hpp"
 #include "straightedge/ransac_search.hpp"
 
 using namespace straightedge;
@@ -114,7 +115,7 @@ TEST_CASE("Frames of no use have no planes and no candidates", "[ransac]") {
     RansacSearch object;
     REQUIRE(RansacSearch::prepare(object, scene::size, {}, workspace) == Status::ok);
     std::vector<ProposedPlane> out(8);
-    const RansacSearchResult result = object.run(frame.view(), {}, out);
+    const RansacSearchResult result = object.run(FrameCells(frame.view()).view(), {}, out);
     CHECK(result.status == Status::ok);
     CHECK(result.candidates == 0);
     CHECK(result.readings == 0);
@@ -130,22 +131,22 @@ TEST_CASE("White noise in depth has no candidates", "[ransac]") {
   RansacSearch object;
   REQUIRE(RansacSearch::prepare(object, scene::size, {}, workspace) == Status::ok);
   std::vector<ProposedPlane> out(8);
-  CHECK(object.run(frame.view(), {}, out).candidates == 0);
+  CHECK(object.run(FrameCells(frame.view()).view(), {}, out).candidates == 0);
 }
 
 TEST_CASE("Frames of any size can be searched", "[ransac]") {
   for (const Size size : {Size{1, 1}, Size{1, 300}, Size{300, 1}, Size{17, 13}, Size{129, 67}}) {
     CAPTURE(size.width, size.height);
     std::vector<float> q(static_cast<std::size_t>(size.width * size.height), 0.4F);
-    for (const std::int32_t cell : {1, 3, 4, 64}) {
+    for (const std::int32_t cell : {4, 8, 16}) {
       const RansacSearchOptions options{.cell = cell, .min_pixels = 50};
       std::vector<std::byte> workspace(RansacSearch::workspace_bytes(size, options));
       RansacSearch object;
       REQUIRE(RansacSearch::prepare(object, size, options, workspace) == Status::ok);
       std::vector<ProposedPlane> out(8);
-      const RansacSearchResult result = object.run({q.data(), size}, {}, out);
+      const RansacSearchResult result = object.run(FrameCells({q.data(), size}).view(), {}, out);
       CHECK(result.status == Status::ok);
-      CHECK(result.candidates == (size.width > 16 && size.height > 12 && cell < 5 ? 1U : 0U));
+      CHECK(result.candidates == (size.width > (cell < 16 ? 16 : 100) && size.height > 12 ? 1U : 0U));
     }
   }
 }
@@ -167,7 +168,7 @@ TEST_CASE("Options out of range are refused", "[ransac]") {
   CHECK(prepare_search_with([](RansacSearchOptions&) {}) == Status::ok);
   CHECK(prepare_search_with([](RansacSearchOptions& o) { o.gate.inverse_sigma = nan_d; }) ==
         Status::invalid_option);
-  CHECK(prepare_search_with([](RansacSearchOptions& o) { o.cell = 0; }) == Status::invalid_option);
+  CHECK(prepare_search_with([](RansacSearchOptions& o) { o.cell = 5; }) == Status::invalid_option);
   CHECK(prepare_search_with([](RansacSearchOptions& o) { o.min_pixels = 0; }) == Status::invalid_option);
   CHECK(prepare_search_with([](RansacSearchOptions& o) { o.max_candidates = 0; }) == Status::invalid_option);
   CHECK(prepare_search_with([](RansacSearchOptions& o) { o.max_rms = nan_d; }) == Status::invalid_option);
@@ -201,16 +202,18 @@ TEST_CASE("Views and memory that do not fit are refused", "[ransac]") {
 
   RansacSearch search;
   std::vector<ProposedPlane> candidates(4);
-  CHECK(search.run({q, Size{3, 4}}, {}, candidates).status == Status::not_prepared);
+  const FrameCells cells({q, Size{3, 4}}), wide({q, Size{12, 1}}), coarse({q, Size{3, 4}}, 1);
+  CHECK(search.run(cells.view(), {}, candidates).status == Status::not_prepared);
   std::vector<std::byte> memory(RansacSearch::workspace_bytes({3, 4}, {}));
   CHECK(RansacSearch::prepare(search, {3, 4}, {}, std::span(memory).first(100)) ==
         Status::workspace_too_small);
   CHECK(RansacSearch::prepare(search, {0, 4}, {}, memory) == Status::invalid_image);
   CHECK(RansacSearch::workspace_bytes({0, 4}, {}) == 0);
   REQUIRE(RansacSearch::prepare(search, {3, 4}, {}, memory) == Status::ok);
-  CHECK(search.run({q, Size{4, 3}}, {}, candidates).status == Status::size_mismatch);
-  CHECK(search.run({}, {}, candidates).status == Status::invalid_image);
+  CHECK(search.run(wide.view(), {}, candidates).status == Status::size_mismatch);
+  CHECK(search.run(coarse.view(), {}, candidates).status == Status::size_mismatch);
+  CHECK(search.run(DepthCells(), {}, candidates).status == Status::size_mismatch);
   const std::uint16_t mask[12] = {};
-  CHECK(search.run({q, Size{3, 4}}, {mask, Size{4, 3}}, candidates).status == Status::size_mismatch);
-  CHECK(search.run({q, Size{3, 4}}, {mask, Size{3, 4}}, candidates).status == Status::ok);
+  CHECK(search.run(cells.view(), {mask, Size{4, 3}}, candidates).status == Status::size_mismatch);
+  CHECK(search.run(cells.view(), {mask, Size{3, 4}}, candidates).status == Status::ok);
 }

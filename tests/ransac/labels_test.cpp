@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <vector>
 
-#include "ransac/contest.hpp"
 #include "ransac/frame_labels.hpp"
 #include "scene.hpp"
 #include "support/catch.hpp"
@@ -59,53 +58,5 @@ TEST_CASE("Every pixel gets its nearest plane within the gate, in frames as by h
     ransac::refit_labelled_pixels(readings, labels, refitted);
     CHECK(refitted[0].inliers + refitted[1].inliers == labelled);
     CHECK(scene::error_of(refitted[0].fit.plane, c.wall).angle < 2e-3);
-  }
-}
-
-TEST_CASE("A plane that cuts through a wall keeps no stripe of it", "[ransac]") {
-  const Crossing c(5);
-  const RansacSearchOptions options;
-  std::vector<std::byte> bytes(RansacSearch::workspace_bytes(scene::size, options));
-  Arena arena(bytes);
-  const detail::RansacSearchMemory memory = detail::RansacSearchMemory::take(arena, scene::size, options);
-  const ransac::Lattice lattice(scene::size, options, memory);
-  ransac::clear_lattice(lattice);
-  REQUIRE(ransac::draw_lattice(lattice, c.frame.view(), {}, options) > 4000);
-  const InverseDepthPlane box_plane = to_inverse_depth(c.box, scene::camera);
-  const InverseDepthPlane wall_plane = to_inverse_depth(c.wall, scene::camera);
-  for (const std::size_t box_at : {std::size_t{0}, std::size_t{1}}) {
-    CAPTURE(box_at);
-    std::vector<ProposedPlane> candidates(2);
-    for (ProposedPlane& candidate : candidates) {
-      candidate.column1 = lattice.columns * lattice.cell;
-      candidate.row1 = lattice.rows * lattice.cell;
-    }
-    candidates[box_at].fit.plane = box_plane;
-    candidates[1 - box_at].fit.plane = wall_plane;
-    ransac::contest_cells(lattice, candidates);
-    int stripe_of_single_readings = 0, stripe = 0, box = 0;
-    for (std::int32_t row = 0; row < lattice.rows; ++row) {
-      for (std::int32_t column = 0; column < lattice.columns; ++column) {
-        const std::size_t i = lattice.at(column, row);
-        if (memory.q[i] < 0) continue;
-        const bool on_box = column >= 5 && column < 20 && row >= 15 && row < 45;
-        const bool owned = memory.owner[i] == static_cast<float>(box_at + 1);
-        const double q = static_cast<double>(memory.q[i]);
-        const double u = static_cast<double>(memory.u[i]), v = static_cast<double>(memory.v[i]);
-        const double off_box = q - box_plane.at(u, v), off_wall = q - wall_plane.at(u, v);
-        stripe_of_single_readings += !on_box && off_box * off_box < off_wall * off_wall ? 1 : 0;
-        stripe += !on_box && owned ? 1 : 0;
-        box += on_box && owned ? 1 : 0;
-      }
-    }
-    CHECK(box > 400);
-    CHECK(stripe_of_single_readings > 30);
-    CHECK(stripe * 2 < stripe_of_single_readings);
-    // Refitted to what they own, both are the planes that they were.
-    ransac::refit_owners(lattice, candidates, 30, scene::sigma);
-    CHECK(candidates[box_at].readings > 400);
-    PlaneFit fit;
-    REQUIRE(to_plane_fit(candidates[1 - box_at].fit, scene::sigma, scene::camera, fit) == Status::ok);
-    CHECK(scene::error_of(fit.plane, c.wall).angle < 2e-3);
   }
 }

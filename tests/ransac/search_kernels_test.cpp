@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "scene.hpp"
+#include "straightedge/host/frame_cells.hpp"
 #include "straightedge/host/kernels.hpp"
 #include "straightedge/ransac_search.hpp"
 #include "support/catch.hpp"
@@ -62,14 +63,17 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
   return a.size() == b.size();
 }
 
-/// What the kernels for cells make of a box: marks, sums and owners.
+/// Of the squared residuals that are hits.
+constexpr float most = 1.5F;
+
+/// What the kernels for cells make of a box: marks, sums and what is left.
 struct Made {
   std::vector<std::uint8_t> hit, core;
   SearchMarks marks;
   std::vector<std::uint8_t> columns;
   std::uint32_t readings = 0;
   SearchSums sums;
-  std::vector<float> cost, owner;
+  std::vector<float> left;
 };
 
 Made make(const PlaneSearchKernels& kernels, const Cells& cells, std::int32_t columns,
@@ -84,14 +88,12 @@ Made make(const PlaneSearchKernels& kernels, const Cells& cells, std::int32_t co
          std::vector<std::uint8_t>(rows.size()),
          0,
          {},
-         std::vector<float>(all, 5),
-         std::vector<float>(all)};
-  kernels.mark_hits(cells.at(first), box, plane, &m.hit[first]);
+         cells.q};
+  kernels.mark_hits(cells.at(first), box, plane, most, &m.hit[first]);
   m.marks = kernels.keep_dense(&m.hit[first], box, &m.core[first], counts.data(), m.columns.data());
   m.readings = kernels.count_readings(&cells.q[first], box);
   kernels.sum_marked(cells.at(first), &m.core[first], box, plane, 100, 50, rows.data(), m.sums);
-  kernels.take_cheaper(cells.at(first), &m.core[first], box, plane, 3, rows.data(), &m.cost[first],
-                       &m.owner[first]);
+  kernels.empty_marked(&m.core[first], box, none, &m.left[first]);
   return m;
 }
 
@@ -123,8 +125,7 @@ TEST_CASE("every set of kernels marks, sums and compares cells as the plain one"
       CHECK(made.marks.end_row == expected.marks.end_row);
       CHECK(made.readings == expected.readings);
       check_same(made.sums, expected.sums);
-      CHECK(same_bits(made.cost, expected.cost));
-      CHECK(same_bits(made.owner, expected.owner));
+      CHECK(same_bits(made.left, expected.left));
     }
   }
 }
@@ -140,7 +141,7 @@ TEST_CASE("the plain kernels mark and sum cells as their definitions say", "[ran
       if (x < 0 || y < 0 || x >= columns || y >= cells.height) return 0;
       const std::size_t i = cells.place(x, y);
       const float e = (cells.q[i] - ((plane.a * cells.u[i] + plane.b * cells.v[i]) + plane.c)) * cells.w[i];
-      return e * e < 1 ? 1 : 0;
+      return e * e < most ? 1 : 0;
     };
     std::uint32_t marked = 0, readings = 0;
     double residuals = 0;
@@ -154,7 +155,7 @@ TEST_CASE("the plain kernels mark and sum cells as their definitions say", "[ran
         CHECK((made.core[i] == 1) == core);
         marked += core ? 1U : 0U;
         readings += cells.q[i] > 0 ? 1U : 0U;
-        CHECK((made.owner[i] == 3) == (core && made.cost[i] < 5));
+        CHECK(made.left[i] == (core ? none : cells.q[i]));
         if (core)
           residuals += static_cast<double>(cells.q[i]) - 0.001 * static_cast<double>(cells.u[i]) - 0.305;
       }
@@ -200,51 +201,6 @@ TEST_CASE("every set of kernels scores windows as the plain one", "[ransac]") {
   }
 }
 
-TEST_CASE("every set of kernels weighs readings as the plain one", "[ransac]") {
-  const float infinity = std::numeric_limits<float>::infinity();
-  const float odd[] = {0,    -1,     infinity, -infinity, std::numeric_limits<float>::quiet_NaN(),
-                       1e6F, 1.1e6F, 1e-3F,    1e-30F};
-  for (const KernelSet& set : kernel_sets()) {
-    Pcg32 random(5, 3);
-    std::vector<float> q(208);
-    for (float& x : q) {
-      const std::uint32_t kind = random.below(18);
-      x = kind < 9 ? odd[kind] : 0.01F * static_cast<float>(1 + random.below(500));
-    }
-    std::vector<float> q2 = q, w(208), w2(208);
-    plain_plane_search_kernels.weigh(q.data(), w.data(), 208, 0.004F, 0.006F, none);
-    set.plane_search->weigh(q2.data(), w2.data(), 208, 0.004F, 0.006F, none);
-    CHECK(same_bits(q, q2));
-    CHECK(same_bits(w, w2));
-    for (std::size_t i = 0; i < q.size(); ++i) CHECK((q[i] == none || (q[i] > 0.004F && q[i] <= 1e6F)));
-  }
-}
-
-TEST_CASE("every set of kernels takes the readings of a row, at any step", "[ransac]") {
-  const float odd[] = {
-      0, -1, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), 1e6F, 1.1e6F};
-  for (const KernelSet& set : kernel_sets()) {
-    CAPTURE(std::string(set.name));
-    Pcg32 random(7, 3);
-    std::vector<float> row(1000);
-    for (float& x : row) {
-      const std::uint32_t kind = random.below(12);
-      x = kind < 6 ? odd[kind] : 0.01F * static_cast<float>(1 + random.below(500));
-    }
-    for (std::int32_t step = 1; step <= 9; ++step) {
-      for (std::int32_t count = 0; count <= 100; ++count) {
-        std::vector<float> q(101, 4711);
-        set.plane_search->take_readings(row.data() + 3, step, count, none, q.data());
-        for (std::int32_t i = 0; i < count; ++i) {
-          const float x = row[static_cast<std::size_t>(3 + i * step)];
-          REQUIRE(q[static_cast<std::size_t>(i)] == (x > 0 && x <= 1e6F ? x : none));
-        }
-        REQUIRE(q[static_cast<std::size_t>(count)] == 4711);
-      }
-    }
-  }
-}
-
 TEST_CASE("every set of kernels finds the same candidates, and the one asked for runs", "[ransac]") {
   Pcg32 random(21);
   const scene::Frame frame = scene::render(scene::room_by_chance(random), scene::sigma, 0.2, random);
@@ -254,7 +210,7 @@ TEST_CASE("every set of kernels finds the same candidates, and the one asked for
     RansacSearch object;
     REQUIRE(RansacSearch::prepare(object, scene::size, options, workspace) == Status::ok);
     std::vector<ProposedPlane> candidates(64);
-    candidates.resize(object.run(frame.view(), {}, candidates).candidates);
+    candidates.resize(object.run(FrameCells(frame.view()).view(), {}, candidates).candidates);
     return candidates;
   };
   const std::vector<ProposedPlane> expected = search(&plain_plane_search_kernels);

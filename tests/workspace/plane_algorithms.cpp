@@ -8,6 +8,7 @@
 #include "straightedge/depth_cells.hpp"
 #include "straightedge/found_planes.hpp"
 #include "straightedge/frame_planes.hpp"
+#include "straightedge/host/frame_cells.hpp"
 #include "straightedge/hough_plane_patches.hpp"
 #include "straightedge/hough_planes.hpp"
 #include "straightedge/ransac_planes.hpp"
@@ -114,7 +115,8 @@ Status run_ransac_search(CallerMemory& memory) {
   const auto candidates = memory.list<ProposedPlane>(64);
   Image<std::uint16_t> mask(size());
   mask.at(40, 40) = 1;
-  const auto result = search.run(memory.input(inverse_depth()), memory.input(mask), candidates);
+  const auto result =
+      search.run(FrameCells(memory.input(inverse_depth())).view(), memory.input(mask), candidates);
   memory.say({result.candidates * 1.0, result.readings * 1.0, result.explained * 1.0, result.noise,
               result.draws * 1.0});
   say(memory, candidates.first(result.candidates));

@@ -12,22 +12,12 @@ constexpr std::uint8_t least_neighbours = 3;
 constexpr std::int32_t byte_step = lanes == 1 ? 1 : 4 * lanes;
 static_assert(byte_step <= search_overrun);
 
-void mark_row(const SearchReadings& row, std::int32_t count, const SearchPlane& p,
+void mark_row(const SearchReadings& row, std::int32_t count, const SearchPlane& p, float most,
               std::uint8_t* __restrict hit) noexcept {
   for (std::int32_t i = 0; i < count; ++i) {
     const float e = (row.q[i] - ((p.a * row.u[i] + p.b * row.v[i]) + p.c)) * row.w[i];
-    hit[i] = e * e < 1 ? 1 : 0;
+    hit[i] = e * e < most ? 1 : 0;
   }
-}
-
-float reading_or(float x, float none) noexcept {
-  return ((x > 0) & (x <= 1e6F)) ? x : none;
-}
-
-/// With a step that is known loads are shuffles.
-template <std::int32_t step>
-void take_every(const float* first, std::int32_t count, float none, float* __restrict q) noexcept {
-  for (std::int32_t i = 0; i < count; ++i) q[i] = reading_or(first[i * step], none);
 }
 
 /// As many marks as a register holds.
@@ -74,6 +64,17 @@ std::uint32_t collect(std::uint8_t* __restrict counts, std::int32_t count,
   return sum;
 }
 
+std::uint64_t four(const std::uint16_t* labels) noexcept {
+  std::uint64_t group = 0;
+  std::memcpy(&group, labels, sizeof group);
+  return group;
+}
+
+#if STRAIGHTEDGE_LANES > 1
+/// Four labels for each lane.
+using Fours [[gnu::vector_size(STRAIGHTEDGE_LANES * 8)]] = std::uint64_t;
+#endif
+
 std::uint64_t eight(const std::uint8_t* bytes) noexcept {
   std::uint64_t group = 0;
   std::memcpy(&group, bytes, sizeof group);
@@ -107,36 +108,56 @@ SearchReadings moved(const SearchReadings& r, std::ptrdiff_t by) noexcept {
   return {r.u + by, r.v + by, r.q + by, r.w + by};
 }
 
-/// Costs of `count` cells from one left of the row's first on.
-void cost_row(const SearchReadings& row, std::int32_t count, const SearchPlane& p, float* __restrict single,
-              float* __restrict triple) noexcept {
-  for (std::int32_t i = 0; i < count + 2; ++i) {
-    const float e = (row.q[i - 1] - ((p.a * row.u[i - 1] + p.b * row.v[i - 1]) + p.c)) * row.w[i - 1];
-    const float squared = e * e;
-    single[i] = squared < 1 ? squared : 1;
-  }
-  for (std::int32_t i = 0; i < count; ++i) triple[i] = (single[i] + single[i + 2]) + single[i + 1];
-}
-
 }  // namespace
 
-void take_readings(const float* first, std::int32_t step, std::int32_t count, float none, float* q) noexcept {
-  if (step == 4) {
-    take_every<4>(first, count, none, q);
-  } else {
-    for (std::int32_t i = 0; i < count; ++i) q[i] = reading_or(first[i * step], none);
+void take_cells(const SearchCells& cells, std::int32_t count, const SearchGate& gate, float none,
+                const SearchOutput& out) noexcept {
+  const Lanes zero = all(0), one = all(1), absent = all(none), narrowest = all(gate.least),
+              most = all(gate.most_squared);
+  for (std::int32_t i = 0; i < count; i += lanes) {
+    const auto number = [&](std::int32_t kind) noexcept {
+      return load(cells.first + kind * cells.apart + i);
+    };
+    const Lanes n = number(0), q = number(3);
+    const Lanes uu = number(4), uv = number(5), vv = number(6), uq = number(7), vq = number(8);
+    // What the best slopes leave of the squares of q. Pixels on a line, or a single one, have none.
+    const Lanes determinant = uu * vv - uv * uv;
+    const auto solid = determinant > 1e-3F * (uu * vv);
+    const Lanes explained =
+        (uq * (uq * vv - vq * uv) + vq * (vq * uu - uq * uv)) / (solid ? determinant : one);
+    const Lanes wide = gate.per_square * (q * q);
+    const Lanes inverse = one / (wide > narrowest ? wide : narrowest);
+    const Lanes squares = (number(9) - (solid ? explained : zero)) * (inverse * inverse);
+    const auto good = (n > zero) & (q > zero) & (q <= all(1e6F)) & (inverse <= all(1e12F)) &
+                      (q * inverse > one) & (squares <= most * n);
+    store(out.u + i, number(1) + cells.middle_u);
+    store(out.v + i, number(2) + cells.middle_v);
+    store(out.q + i, good ? q : absent);
+    store(out.w + i, good ? inverse : one);
+    store(out.squares + i, squares);
   }
 }
 
-void weigh(float* q, float* w, std::int32_t padded, float least, float per_square, float none) noexcept {
-  const Lanes zero = all(0), one = all(1), absent = all(none), narrowest = all(least);
-  for (std::int32_t i = 0; i < padded; i += lanes) {
-    const Lanes read = load(q + i);
-    const Lanes wide = per_square * (read * read);
-    const Lanes inverse = one / (wide > narrowest ? wide : narrowest);
-    const auto good = (read > zero) & (read <= all(1e6F)) & (inverse <= all(1e12F)) & (read * inverse > one);
-    store(q + i, good ? read : absent);
-    store(w + i, good ? inverse : one);
+void mask_cells(const std::uint16_t* labels, std::ptrdiff_t stride, std::int32_t rows, std::int32_t side,
+                std::int32_t count, float none, float* __restrict q) noexcept {
+  std::int32_t first = 0;
+#if STRAIGHTEDGE_LANES > 1
+  for (; side == 4 && first + lanes <= count; first += lanes) {
+    Fours any{};
+    for (std::int32_t y = 0; y < rows; ++y) {
+      Fours row;
+      std::memcpy(&row, labels + y * stride + 4 * first, sizeof row);
+      any |= row;
+    }
+    const Marks masked = __builtin_convertvector(any != 0, Marks);
+    store(q + first, masked ? all(none) : load(q + first));
+  }
+#endif
+  for (std::int32_t i = first; i < count; ++i) {
+    std::uint64_t any = 0;
+    for (std::int32_t y = 0; y < rows; ++y)
+      for (std::int32_t x = 0; x < side; x += 4) any |= four(labels + y * stride + i * side + x);
+    q[i] = any == 0 ? q[i] : none;
   }
 }
 
@@ -153,12 +174,12 @@ std::uint32_t count_readings(const float* q, const SearchBox& box) noexcept {
   return static_cast<std::uint32_t>(fold(counts));
 }
 
-void mark_hits(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane,
+void mark_hits(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane, float most,
                std::uint8_t* hit) noexcept {
   const std::int32_t width = rounded_up(box.width, byte_step);
   const SearchPlane p = plane;
   for (std::int32_t y = 0; y < box.height; ++y)
-    mark_row(moved(readings, y * box.stride), width, p, hit + y * box.stride);
+    mark_row(moved(readings, y * box.stride), width, p, most, hit + y * box.stride);
 }
 
 SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core,
@@ -184,6 +205,14 @@ SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8
   return marks;
 }
 
+void empty_marked(const std::uint8_t* core, const SearchBox& box, float none, float* __restrict q) noexcept {
+  for (std::int32_t y = 0; y < box.height; ++y) {
+    const std::uint8_t* marks = core + y * box.stride;
+    float* row = q + y * box.stride;
+    for (std::int32_t i = 0; i < box.width; ++i) row[i] = marks[i] != 0 ? none : row[i];
+  }
+}
+
 void sum_marked(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
                 const SearchPlane& plane, float u0, float v0, float* marks, SearchSums& sums) noexcept {
   PartialSums partial;
@@ -204,33 +233,6 @@ void sum_marked(const SearchReadings& readings, const std::uint8_t* core, const 
     s.store_to(partial, l);
   }
   sums = partial.folded();
-}
-
-void take_cheaper(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
-                  const SearchPlane& plane, float label, float* rows, float* cost, float* owner) noexcept {
-  const Lanes none = all(0), own = all(label);
-  const std::int32_t width = rounded_up(box.width, search_lanes), room = width + search_overrun;
-  const SearchPlane p = plane;
-  float *single = rows, *marks = rows + room;
-  float *above = rows + 2 * room, *here = rows + 3 * room, *below = rows + 4 * room;
-  cost_row(moved(readings, -box.stride), width, p, single, above);
-  cost_row(readings, width, p, single, here);
-  for (std::int32_t y = 0; y < box.height; ++y) {
-    const std::ptrdiff_t row = y * box.stride;
-    cost_row(moved(readings, row + box.stride), width, p, single, below);
-    spread_marks(core + row, rounded_up(box.width, byte_step), marks);
-    for (std::int32_t i = 0; i < box.width; i += lanes) {
-      const Lanes sum = (load(above + i) + load(below + i)) + load(here + i);
-      const Lanes before = load(cost + row + i);
-      const auto cheaper = (load_marks(core + row + i, marks + i) > none) & (sum < before);
-      store(cost + row + i, cheaper ? sum : before);
-      store(owner + row + i, cheaper ? own : load(owner + row + i));
-    }
-    float* const free = above;
-    above = here;
-    here = below;
-    below = free;
-  }
 }
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET

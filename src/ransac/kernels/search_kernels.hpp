@@ -14,16 +14,17 @@ SearchInliers find_inliers(const SearchReadings& readings, std::uint32_t padded,
                            float most) noexcept;
 void sum_inliers(const SearchReadings& readings, std::uint32_t padded, const SearchPlane& plane, float most,
                  SearchSums& sums) noexcept;
-void take_readings(const float* first, std::int32_t step, std::int32_t count, float none, float* q) noexcept;
-void weigh(float* q, float* w, std::int32_t padded, float least, float per_square, float none) noexcept;
+void take_cells(const SearchCells& cells, std::int32_t count, const SearchGate& gate, float none,
+                const SearchOutput& out) noexcept;
+void mask_cells(const std::uint16_t* labels, std::ptrdiff_t stride, std::int32_t rows, std::int32_t side,
+                std::int32_t count, float none, float* q) noexcept;
 std::uint32_t count_readings(const float* q, const SearchBox& box) noexcept;
-void mark_hits(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane,
+void mark_hits(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane, float most,
                std::uint8_t* hit) noexcept;
 SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8_t* core,
                        std::uint8_t* counts, std::uint8_t* columns) noexcept;
+void empty_marked(const std::uint8_t* core, const SearchBox& box, float none, float* q) noexcept;
 void sum_marked(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
                 const SearchPlane& plane, float u0, float v0, float* marks, SearchSums& sums) noexcept;
-void take_cheaper(const SearchReadings& readings, const std::uint8_t* core, const SearchBox& box,
-                  const SearchPlane& plane, float label, float* rows, float* cost, float* owner) noexcept;
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
