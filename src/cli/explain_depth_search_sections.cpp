@@ -97,18 +97,15 @@ HtmlSection windows_section(DepthStory& story) {
       .id = "windows",
       .title = "The search: windows over the whole frame",
       .paragraphs =
-          {"One reading of every " + std::to_string(story.run.options.ransac.cell) + " x " +
+          {"Readings are means of cells: of four times " + std::to_string(story.run.options.ransac.cell) +
+               " pixels a side first, then of twice that, then of " +
                std::to_string(story.run.options.ransac.cell) +
-               " pixels is drawn; neighbours share their noise and would tell little more. Windows of three "
-               "sizes "
-               "go over them, the large ones first. What RANSAC finds in a window grows: the plane is fitted "
-               "to "
-               "the readings near it in a box twice as large, again and again, at last in the whole frame. "
-               "Then "
-               "its readings leave, and the search goes on with the others.",
-           "First only smooth planes count, whose readings stay well within the gate; what is left may "
-           "then give rough ones. At the end each reading goes to the candidate that fits it and its "
-           "neighbours best."},
+               ". Cells that are not flat are none. Windows of 13 x 13 cells go over them. What RANSAC finds "
+               "in a window grows: the plane is fitted to the cells near it in a box four times as large, "
+               "again and again, at last in the whole frame. Then its cells leave, and the search goes on "
+               "with the others.",
+           "First only smooth planes count, whose cells stay well within the gate; what is left may then "
+           "give rough ones."},
       .figures = {add_figure(
           story, "boxes.png", show_boxes(story.run), "Numbered boxes over the frame",
           "The boxes around the readings of the " + std::to_string(shown_boxes) +
