@@ -95,8 +95,8 @@ struct Extent {
   Extent(const Lattice& l, std::int32_t middle_column, std::int32_t middle_row) noexcept
       : column(middle_column > window_half ? middle_column - window_half : 0),
         row(middle_row > window_half ? middle_row - window_half : 0),
-        columns(
-            (middle_column + window_half < l.columns ? middle_column + window_half + 1 : l.columns) - column),
+        columns((middle_column + window_half < l.columns ? middle_column + window_half + 1 : l.columns) -
+                column),
         rows((middle_row + window_half < l.rows ? middle_row + window_half + 1 : l.rows) - row) {}
 };
 
