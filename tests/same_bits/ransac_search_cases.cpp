@@ -42,7 +42,8 @@ SAME_BITS_LARGE std::array<ProposedPlane, 64> candidates;
 
 void row_of(const Report& report, const DepthView& depth, const RansacSearchOptions& chosen, bool masked,
             const char* name) noexcept {
-  Arena arena(workspace().first(Input::bytes()));
+  const std::span<std::byte> memory = workspace();
+  Arena arena(memory.first(Input::bytes()));
   Input input = Input::take(arena);
   for (int y = 0; y < depth_size.height; ++y) {
     for (int x = 0; x < depth_size.width; ++x) input.mask.at(x, y) = x / 20 % 2 == 1 ? 1 : 0;
@@ -51,7 +52,7 @@ void row_of(const Report& report, const DepthView& depth, const RansacSearchOpti
   Hash hash;
   hash.add(inverse_depth_image(depth, input.inverse));
   input.cells.build(input.inverse);
-  hash.add(RansacSearch::prepare(search, depth_size, chosen, workspace().subspan(Input::bytes())));
+  hash.add(RansacSearch::prepare(search, depth_size, chosen, memory.subspan(Input::bytes())));
   const ImageView<const std::uint16_t> taken = masked ? input.mask : ImageView<std::uint16_t>{};
   const RansacSearchResult result = search.run(input.cells, taken, candidates);
   hash.add(result, std::span<const ProposedPlane>(candidates).first(result.candidates));
