@@ -27,8 +27,10 @@ std::string words_of(const LineMapReport& report, Size size) {
   words += "  edges     " + count(report.canny.edges, " pixels (low ") + io::to_text(report.canny.low) +
            ", high " + io::to_text(report.canny.high) + ")\n";
   if (!refined) {
-    words += "  Hough     " + count(report.candidates, " segments, ") +
-             count(report.too_short, " of them too short\n");
+    words += "  followed  " + count(report.edges, " straight edges\n") + "  joined    " +
+             count(report.walls, " pairs of edges into axes of thin walls, ") +
+             count(report.merged, " fragments into others\n") + "  dropped   " +
+             count(report.too_short, " too short\n");
     return words + result;
   }
   words += "  Hough     " + count(report.candidates, " segments in ") + count(report.rounds, " rounds; ") +

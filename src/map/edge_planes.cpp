@@ -3,9 +3,9 @@
 #include "map/edge_planes.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <vector>
 
-#include "canny/edge_words.hpp"
 #include "canny/word_fill.hpp"
 #include "straightedge/arena.hpp"
 #include "straightedge/detail/canny_row_memory.hpp"
@@ -25,12 +25,13 @@ struct RowMemory {
   std::span<std::uint8_t> words;
 
   /// Rings as long as the picture is high keep every row.
-  static RowMemory take(Arena& arena, Size size, const CannyOptions& options) {
+  static RowMemory take(Arena& arena, Size size, const CannyOptions& options, Blurred blurred) {
     const auto words = static_cast<std::size_t>((size.width + word - 1) / word);
     RowMemory memory;
     memory.rows = detail::CannyRowMemory::take(arena, size, options);
-    memory.rows.blurred =
-        detail::RowRing<std::uint8_t>::take(arena, size.height, size.width, options.aperture / 2);
+    if (blurred == Blurred::kept)
+      memory.rows.blurred =
+          detail::RowRing<std::uint8_t>::take(arena, size.height, size.width, options.aperture / 2);
     memory.rows.dx = detail::RowRing<std::int16_t>::take(arena, size.height, size.width, 0);
     memory.rows.dy = detail::RowRing<std::int16_t>::take(arena, size.height, size.width, 0);
     memory.worklist = arena.take<std::uint32_t>(straightedge::worklist);
@@ -45,15 +46,24 @@ ImageView<const T> all_rows(const detail::RowRing<T>& ring, Size size) {
   return {ring.row(0), size, static_cast<std::ptrdiff_t>(ring.stride * sizeof(T))};
 }
 
+std::uint32_t count_edges(const EdgeWords& words) {
+  std::uint32_t count = 0;
+  for (std::int32_t y = 0; y < words.height; ++y)
+    for (std::int32_t i = 0; i < words.words; ++i)
+      if (const std::uint64_t edges = EdgeWord::load(words.at(i, y)).edges; edges != 0)
+        count += static_cast<std::uint32_t>(std::popcount(edges));
+  return count;
+}
+
 }  // namespace
 
-Status EdgePlanes::detect(GrayView gray, const CannyOptions& options, const KernelSet& kernels) {
+Status EdgePlanes::detect(GrayView gray, const CannyOptions& options, const KernelSet& kernels,
+                          Blurred blurred_picture) {
   const Status valid = Canny::check(gray.size(), options);
   if (valid != Status::ok) return valid;
-  if (pixels.size() != gray.size()) pixels = Image<std::uint8_t>(gray.size());
   const CannyRowOptions rows{.kernels = kernels.canny_rows};
   const bool may = detail::CannyRowRecipe::check(gray.size(), options, rows) == Status::ok;
-  return may ? by_rows(gray, options, *kernels.canny_rows) : by_stages(gray, options);
+  return may ? by_rows(gray, options, *kernels.canny_rows, blurred_picture) : by_stages(gray, options);
 }
 
 void EdgePlanes::reserve(std::size_t bytes) {
@@ -62,13 +72,14 @@ void EdgePlanes::reserve(std::size_t bytes) {
   bytes_ = bytes;
 }
 
-Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const CannyRowKernels& kernels) {
+Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const CannyRowKernels& kernels,
+                           Blurred blurred_picture) {
   const Size size = gray.size();
   Arena measure = Arena::measure();
-  RowMemory::take(measure, size, options);
+  RowMemory::take(measure, size, options, blurred_picture);
   reserve(measure.used());
   Arena arena({memory_.get(), bytes_});
-  const RowMemory memory = RowMemory::take(arena, size, options);
+  const RowMemory memory = RowMemory::take(arena, size, options, blurred_picture);
   const Status made = make_gaussian_kernel(options.sigma, memory.rows.taps);
   if (made != Status::ok) return made;
   detail::CannyRowRecipe recipe;
@@ -90,27 +101,51 @@ Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const Can
   }
   fill.flow_down(size.height - 1);
   fill.sweep_up(0, size.height);
-  std::uint32_t count = 0;
-  for (std::int32_t y = 0; y < size.height; ++y)
-    count += kernels.spread_edges(words.row(y), pixels.view().row(y), size.width);
-  blurred = all_rows(memory.rows.blurred, size);
+  words_ = words;
+  kernels_ = &kernels;
+  blurred = {};
+  if (blurred_picture == Blurred::kept) blurred = all_rows(memory.rows.blurred, size);
   dx = all_rows(memory.rows.dx, size);
   dy = all_rows(memory.rows.dy, size);
-  result = {Status::ok, options.low, options.high, recipe.strong(), count};
+  result = {Status::ok, options.low, options.high, recipe.strong(), count_edges(words)};
   return Status::ok;
 }
 
 Status EdgePlanes::by_stages(GrayView gray, const CannyOptions& options) {
+  words_ = {};
   const std::size_t bytes = Canny::workspace_bytes(gray.size(), options);
   reserve(bytes);
   Canny canny;
   const Status prepared = Canny::prepare(canny, gray.size(), options, {memory_.get(), bytes_});
   if (prepared != Status::ok) return prepared;
-  result = canny.run(gray, pixels.view());
+  if (pixels_.size() != gray.size()) pixels_ = Image<std::uint8_t>(gray.size());
+  result = canny.run(gray, pixels_.view());
   blurred = canny.blurred();
   dx = canny.gradient_x();
   dy = canny.gradient_y();
   return result.status;
+}
+
+void EdgePlanes::to_bits(EdgeBits& bits) const {
+  bits.reset(dx.size());
+  for (std::int32_t y = 0; y < words_.height; ++y) {
+    for (std::int32_t i = 0; i < words_.words; ++i) {
+      const std::uint64_t edges = EdgeWord::load(words_.at(i, y)).edges;
+      if (edges != 0) bits.set_word(i, y, edges);
+    }
+  }
+  if (words_.first != nullptr) return;
+  for (std::int32_t y = 0; y < pixels_.height(); ++y)
+    for (std::int32_t x = 0; x < pixels_.width(); ++x)
+      if (pixels_.at(x, y) != 0) bits.set(x, y);
+}
+
+GrayView EdgePlanes::to_pixels() {
+  if (words_.first == nullptr) return pixels_;
+  if (pixels_.size() != dx.size()) pixels_ = Image<std::uint8_t>::for_overwrite(dx.size());
+  for (std::int32_t y = 0; y < dx.height; ++y)
+    kernels_->spread_edges(words_.row(y), pixels_.view().row(y), dx.width);
+  return pixels_;
 }
 
 void EdgePlanes::magnitude(GradientNorm norm, Image<std::int32_t>& out) const {

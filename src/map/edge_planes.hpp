@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <memory>
 
+#include "canny/edge_words.hpp"
+#include "map/edge_bits.hpp"
 #include "straightedge/canny.hpp"
 #include "straightedge/edge_position.hpp"
 #include "straightedge/host/image.hpp"
@@ -13,28 +15,39 @@
 
 namespace straightedge {
 
+/// Whether all of the blurred picture is kept, or only what Canny needs of it at a time.
+enum class Blurred : std::uint8_t { kept, dropped };
+
 /// What Canny leaves behind: edges, and of the stages before them those that a line map reads again.
 class EdgePlanes {
  public:
-  Image<std::uint8_t> pixels;  ///< 255 on edges
-  GrayView blurred;
+  GrayView blurred;  ///< none where it was dropped
   ImageView<const std::int16_t> dx, dy;
   CannyResult result;
 
   /// The results of canny.hpp, bit for bit. Row by row with the kernels given, with automatic thresholds
   /// stage by stage.
-  Status detect(GrayView gray, const CannyOptions& options, const KernelSet& kernels);
+  Status detect(GrayView gray, const CannyOptions& options, const KernelSet& kernels,
+                Blurred blurred_picture = Blurred::kept);
+
+  /// The edges: as bits, or 255 in a picture.
+  void to_bits(EdgeBits& bits) const;
+  GrayView to_pixels();
 
   /// As Canny's: |dx| + |dy| or dx² + dy².
   void magnitude(GradientNorm norm, Image<std::int32_t>& out) const;
 
  private:
   void reserve(std::size_t bytes);
-  Status by_rows(GrayView gray, const CannyOptions& options, const CannyRowKernels& kernels);
+  Status by_rows(GrayView gray, const CannyOptions& options, const CannyRowKernels& kernels,
+                 Blurred blurred_picture);
   Status by_stages(GrayView gray, const CannyOptions& options);
 
   std::unique_ptr<std::byte[]> memory_;
   std::size_t bytes_ = 0;
+  EdgeWords words_;             ///< the edges; none where Canny went stage by stage
+  Image<std::uint8_t> pixels_;  ///< then they are here
+  const CannyRowKernels* kernels_ = nullptr;
 };
 
 }  // namespace straightedge

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hough/refit_recipe.hpp"
+#include "map/edge_bits.hpp"
 #include "map/picture_rows.hpp"
 #include "straightedge/edge_position.hpp"
 #include "straightedge/host/image.hpp"
@@ -37,16 +38,8 @@ class EdgePoints {
   template <class Visit>
   void for_each(bool steep, std::int32_t k, std::int32_t from, std::int32_t to,
                 const Visit& visit) const noexcept {
-    const std::uint64_t* const line = steep ? rows_.line(k) : columns_.line(k);
-    const auto first = static_cast<unsigned>(from);
-    const std::uint64_t* const word = line + first / 64;
-    const unsigned shift = first % 64;
-    std::uint64_t bits = word[0] >> shift | word[1] << 1 << (63 - shift);
-    bits &= (std::uint64_t{2} << static_cast<unsigned>(to - from)) - 1;
-    for (; bits != 0; bits &= bits - 1) {
-      const std::int32_t m = from + std::countr_zero(bits);
-      visit(steep ? m : k, steep ? k : m);
-    }
+    bits_.for_each(steep, k, from, to - from + 1,
+                   [&](std::int32_t m) { visit(steep ? m : k, steep ? k : m); });
   }
 
   refitting::EdgeGradient gradient(std::int32_t x, std::int32_t y) const noexcept {
@@ -66,8 +59,7 @@ class EdgePoints {
 
   void clear(std::int32_t x, std::int32_t y) noexcept {
     mask_.at(x, y) = 0;
-    rows_.clear(y, x);
-    columns_.clear(x, y);
+    bits_.clear(x, y);
   }
 
  private:
@@ -77,32 +69,12 @@ class EdgePoints {
     return ones;
   }();
 
-  /// Lines of bits, with a word more behind each.
-  class Bits {
-   public:
-    void reset(std::int32_t lines, std::int32_t length);
-    const std::uint64_t* line(std::int32_t k) const noexcept {
-      return words_.data() + static_cast<std::size_t>(k) * words_in_line_;
-    }
-    void set(std::int32_t k, std::int32_t m) noexcept { word(k, m) |= bit(m); }
-    void clear(std::int32_t k, std::int32_t m) noexcept { word(k, m) &= ~bit(m); }
-
-   private:
-    std::uint64_t& word(std::int32_t k, std::int32_t m) noexcept {
-      return words_[static_cast<std::size_t>(k) * words_in_line_ + static_cast<std::size_t>(m) / 64];
-    }
-    static std::uint64_t bit(std::int32_t m) noexcept { return std::uint64_t{1} << m % 64; }
-
-    std::vector<std::uint64_t> words_;
-    std::size_t words_in_line_ = 0;
-  };
-
   void reset(GrayView edges);
   void add_row(std::int32_t y, const std::uint16_t* columns, std::int32_t count);
   void flush();
 
   Image<std::uint8_t> mask_;
-  Bits rows_, columns_;
+  EdgeBits bits_;
   std::size_t groups_in_row_ = 0;
   std::vector<std::uint8_t> all_;  ///< eight pixels each: a bit for each edge, which stays
   std::vector<std::uint16_t> first_of_group_;

@@ -51,8 +51,7 @@ double extent_of(const std::vector<WallLine>& lines, const std::vector<std::size
 }
 
 MapLine map_line_of(const std::vector<WallLine>& lines, const std::vector<std::size_t>& group,
-                    const Picture& picture) {
-  const Size image = picture.gray.size();
+                    const PictureFacts& picture, Size image) {
   const WallLine& first = lines[group.front()];
   MapLine out;
   const Point2 centroid = centre_frame(first.fit.centroid_x, first.fit.centroid_y, image);
@@ -89,11 +88,11 @@ MapLine map_line_of(const std::vector<WallLine>& lines, const std::vector<std::s
 
 std::vector<MapLine> to_map_lines(const std::vector<WallLine>& lines,
                                   const std::vector<std::vector<std::size_t>>& groups,
-                                  const Picture& picture) {
+                                  const PictureFacts& picture, Size image) {
   std::vector<MapLine> out;
   std::uint32_t segment_id = 0;
   for (const std::vector<std::size_t>& group : groups) {
-    MapLine line = map_line_of(lines, group, picture);
+    MapLine line = map_line_of(lines, group, picture, image);
     line.id = static_cast<std::uint32_t>(out.size());
     for (MapSegment& segment : line.segments) segment.id = segment_id++;
     out.push_back(std::move(line));

@@ -16,6 +16,6 @@ namespace straightedge {
 /// segments of each line.
 std::vector<MapLine> to_map_lines(const std::vector<WallLine>& lines,
                                   const std::vector<std::vector<std::size_t>>& groups,
-                                  const Picture& picture);
+                                  const PictureFacts& picture, Size image);
 
 }  // namespace straightedge

@@ -22,7 +22,7 @@ bool lies_on_grid(const WallLine& line) {
 
 }  // namespace
 
-LineFloor line_floor(const Picture& picture, const WallLine& line) {
+LineFloor line_floor(const PictureFacts& picture, const WallLine& line) {
   LineFloor floor;
   floor.angle_length = picture.noisy ? noisy_angle_length : usual_angle_length;
   floor.offset = picture.noisy ? noisy_offset : usual_offset;

@@ -14,6 +14,6 @@ namespace straightedge {
 ///     within half a pixel to each side, and 1/sqrt(12) = 0.29;
 ///   - axis in a picture with gray: ground of different lightness on its two sides draws it to one of them;
 ///   - everything else: a twentieth of a pixel, a tenth under noise, which bends edges over tens of pixels.
-LineFloor line_floor(const Picture& picture, const WallLine& line);
+LineFloor line_floor(const PictureFacts& picture, const WallLine& line);
 
 }  // namespace straightedge

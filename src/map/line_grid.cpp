@@ -35,8 +35,9 @@ void LineGrid::walk(const WallLine& line, const Visit& visit) const {
 }
 
 LineGrid::LineGrid(const std::vector<WallLine>& lines, double reach)
-    // A line is sampled every half cell, so it may touch a cell that was not noted: one ring more.
-    : ring_(static_cast<std::int32_t>(std::ceil(reach / side)) + 1), lines_(lines.size()) {
+    // A line is sampled every half cell: no place of it, or of the one asked for, is further than a quarter
+    // of a cell from a sample.
+    : ring_(static_cast<std::int32_t>(std::ceil((reach + 0.5 * side) / side))), lines_(lines.size()) {
   std::vector<std::pair<Cell, std::uint32_t>> passes;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto index = static_cast<std::uint32_t>(i);

@@ -11,8 +11,8 @@
 
 #include "map/bridge.hpp"
 #include "map/candidates.hpp"
-#include "map/coarse_lines.hpp"
 #include "map/corners.hpp"
+#include "map/edge_follower.hpp"
 #include "map/edge_planes.hpp"
 #include "map/export.hpp"
 #include "map/extent.hpp"
@@ -22,11 +22,15 @@
 #include "map/strokes.hpp"
 #include "map/support.hpp"
 #include "map/walls.hpp"
+#include "straightedge/hough_grid.hpp"
 
 namespace straightedge {
 namespace {
 
-constexpr double corner_reach = 3.5;  // pixels
+constexpr double corner_reach = 3.5;     // pixels
+constexpr double lone_edge_share = 1.5;  // of the shortest length asked for; without refinement
+constexpr double shortest_edge = 6;      // pixels; corners and thin walls need the short ones, too
+constexpr double longest_hole = 8;       // pixels, of an edge; walls are bridged later
 
 bool valid(const LineMapOptions& o) {
   return o.min_length >= 3 && o.min_length <= 1e6 && o.max_gap >= 0 && o.max_gap <= 1e6 &&
@@ -67,6 +71,12 @@ Status detect_edges(const Picture& picture, const CannyOptions& options, const K
   return edges.planes.detect(picture.stretched, options, kernels);
 }
 
+FollowOptions follow_options(const LineMapOptions& options) {
+  return {.min_length = shortest_edge,
+          .max_gap = std::min(options.max_gap, longest_hole),
+          .norm = options.canny.norm};
+}
+
 /// Steps 4 to 6: what only a map can tell, for only there dark means wall.
 void read_walls(const Picture& picture, GrayView blurred, const LineMapOptions& options,
                 const PictureRowKernels& kernels, Image<std::uint8_t>& marks, std::vector<WallLine>& lines,
@@ -101,9 +111,10 @@ std::vector<std::vector<std::size_t>> long_enough(const std::vector<WallLine>& l
 
 /// The map's frame, and the report's last numbers.
 void finish(const std::vector<WallLine>& lines, const std::vector<std::vector<std::size_t>>& groups,
-            const Picture& picture, const std::optional<RosMeaning>& meaning, LineMapResult& out) {
-  out.map.lines = to_map_lines(lines, groups, picture);
-  out.map.image = MapImage{.file = {}, .size = picture.gray.size(), .placement = {}, .meaning = meaning};
+            const PictureFacts& picture, Size size, const std::optional<RosMeaning>& meaning,
+            LineMapResult& out) {
+  out.map.lines = to_map_lines(lines, groups, picture, size);
+  out.map.image = MapImage{.file = {}, .size = size, .placement = {}, .meaning = meaning};
   for (const MapLine& line : out.map.lines)
     out.report.segments += static_cast<std::uint32_t>(line.segments.size());
   out.report.lines = static_cast<std::uint32_t>(out.map.lines.size());
@@ -115,6 +126,8 @@ struct LineMapBuilder::Room {
   Picture picture;
   Edges edges;
   EdgeRoom candidates;
+  EdgeFollower follower;
+  EdgeBits bits;
   Image<std::uint8_t> marks;
 };
 
@@ -126,30 +139,42 @@ LineMapBuilder::LineMapBuilder(LineMapBuilder&&) noexcept = default;
 LineMapBuilder& LineMapBuilder::operator=(LineMapBuilder&&) noexcept = default;
 
 Result<LineMapResult> LineMapBuilder::build_coarse(GrayView gray) {
+  const LineMapOptions& options = options_;
+  const Status may = hough_grid(gray.size(), first_round(options)).status;
+  if (may != Status::ok) return failure_of("the line map's options", may);
   LineMapResult out;
-  Picture& picture = room_->picture;
-  picture.facts() = PictureFacts{};
-  copy_gray(gray, options_.meaning && options_.meaning->negate, picture.gray);
+  GrayView seen = gray;
+  if (options.meaning && options.meaning->negate) {
+    copy_gray(gray, true, room_->picture.gray);
+    seen = room_->picture.gray;
+  }
+  // Step 2.
   EdgePlanes& planes = room_->edges.planes;
-  const Status status = planes.detect(picture.gray, options_.canny, kernels_);
+  const Status status = planes.detect(seen, options.canny, kernels_, Blurred::dropped);
   if (status != Status::ok) return failure_of("the edge detector", status);
   out.report.picture = PictureKind::automatic;
   out.report.canny = planes.result;
-  HoughOptions hough = first_round(options_);
-  hough.kernels = kernels_.hough;
-  const GradientView gradients{planes.dx, planes.dy};
-  const auto rough = room_->candidates.hough.run(planes.pixels, gradients, hough);
-  out.report.hough = room_->candidates.hough.result;
-  if (out.report.hough.status != Status::ok)
-    return failure_of("the Hough transform", out.report.hough.status);
-  const std::vector<WallLine> lines = coarse_lines(rough, gradients, options_.min_length);
-  out.report.rounds = 1;
-  out.report.candidates = static_cast<std::uint32_t>(rough.size());
-  out.report.edges = static_cast<std::uint32_t>(lines.size());
-  out.report.too_short = out.report.candidates - out.report.edges;
-  std::vector<std::vector<std::size_t>> groups;
-  for (std::size_t i = 0; i < lines.size(); ++i) groups.push_back({i});
-  finish(lines, groups, picture, options_.meaning, out);
+  // Step 3.
+  planes.to_bits(room_->bits);
+  std::vector<WallLine> lines = room_->follower.run(room_->bits, {planes.dx, planes.dy, {}},
+                                                    follow_options(options), *kernels_.picture_rows);
+  out.report.candidates = out.report.edges = static_cast<std::uint32_t>(lines.size());
+  // Step 4.
+  const LineSampler sampler(seen, *kernels_.picture_rows);
+  if (options.picture != PictureKind::photo)
+    out.report.walls = join_thin_walls(lines, sampler, options.max_wall_width);
+  // Step 7.
+  out.report.merged = merge_fragments(lines, {}, {});
+  // Step 9: nobody has looked whether a lone edge is a wall's, and most short ones are not.
+  const std::size_t before = lines.size();
+  std::erase_if(lines, [&](const WallLine& line) {
+    return line.length() < (line.axis ? 1 : lone_edge_share) * options.min_length;
+  });
+  out.report.too_short = static_cast<std::uint32_t>(before - lines.size());
+  // Step 10.
+  std::vector<std::vector<std::size_t>> groups(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) groups[i] = {i};
+  finish(lines, groups, {}, gray.size(), options.meaning, out);
   return out;
 }
 
@@ -172,8 +197,8 @@ Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   report.canny = edges.planes.result;
   // Step 3: straight edges, each with pixels of its own.
   std::vector<WallLine> lines;
-  status =
-      find_edges(edges.planes.pixels, edges.field(), options, kernels_, room_->candidates, lines, report);
+  status = find_edges(edges.planes.to_pixels(), edges.field(), options, kernels_, room_->candidates, lines,
+                      report);
   if (status != Status::ok) return failure_of("the Hough transform", status);
   // Steps 4 to 6: thin walls become axes, ends are measured, what is no wall goes.
   const bool map = picture.kind == PictureKind::map;
@@ -195,7 +220,7 @@ Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   if (map) close_corners(lines, helpers, corner_reach);
   const auto kept = long_enough(lines, groups, options.min_length);
   // Step 10: the map's frame.
-  finish(lines, kept, picture, options.meaning, out);
+  finish(lines, kept, picture, gray.size(), options.meaning, out);
   report.too_short = static_cast<std::uint32_t>(helpers.size() + lines.size() - bridged - report.segments);
   return out;
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr double same_place = 2.2;
 constexpr double same_direction = 0.26;
 
-LineFit with_floor(const WallLine& line, const Picture& picture) {
+LineFit with_floor(const WallLine& line, const PictureFacts& picture) {
   LineFit fit = line.fit;
   add_floor(fit, line.length(), line_floor(picture, line));
   return fit;
@@ -39,7 +39,8 @@ bool near(const WallLine& a, const WallLine& b, double max_angle, double max_off
   return std::min(d0, d1) <= max_offset;
 }
 
-bool same_line(const WallLine& a, const WallLine& b, const Picture& picture, const MergeOptions& options) {
+bool same_line(const WallLine& a, const WallLine& b, const PictureFacts& picture,
+               const MergeOptions& options) {
   return near(a, b, options.max_angle, options.max_offset) &&
          line_chi_square(with_floor(a, picture), with_floor(b, picture)) <= options.gate;
 }
@@ -83,7 +84,7 @@ bool trim(const WallLine& a, WallLine& b) {
 }
 
 /// Step 1. Lines that were absorbed get length zero.
-void join_touching(std::vector<WallLine>& lines, const Picture& picture, const MergeOptions& options) {
+void join_touching(std::vector<WallLine>& lines, const PictureFacts& picture, const MergeOptions& options) {
   const LineGrid grid(lines, options.touching + options.max_offset);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     bool grown = lines[i].length() > 0;
@@ -109,7 +110,7 @@ void drop_empty(std::vector<WallLine>& lines) {
 
 }  // namespace
 
-std::uint32_t merge_fragments(std::vector<WallLine>& lines, const Picture& picture,
+std::uint32_t merge_fragments(std::vector<WallLine>& lines, const PictureFacts& picture,
                               const MergeOptions& options) {
   const std::size_t before = lines.size();
   sort_longest_first(lines);
@@ -127,7 +128,8 @@ std::uint32_t merge_fragments(std::vector<WallLine>& lines, const Picture& pictu
   return static_cast<std::uint32_t>(before - lines.size());
 }
 
-std::vector<std::vector<std::size_t>> group_collinear(std::vector<WallLine>& lines, const Picture& picture,
+std::vector<std::vector<std::size_t>> group_collinear(std::vector<WallLine>& lines,
+                                                      const PictureFacts& picture,
                                                       const MergeOptions& options) {
   sort_longest_first(lines);
   std::vector<std::vector<std::size_t>> groups;

@@ -24,13 +24,14 @@ struct MergeOptions {
 /// 2. Of two that overlap, nearly parallel and nearly in one place, but fail the test (a bent wall), the
 ///    shorter one keeps only what the longer one leaves over.
 /// Returns how many segments vanished.
-std::uint32_t merge_fragments(std::vector<WallLine>& lines, const Picture& picture,
+std::uint32_t merge_fragments(std::vector<WallLine>& lines, const PictureFacts& picture,
                               const MergeOptions& options);
 
 /// Segments that continue one another on one infinite line (a wall and its door openings): indices into
 /// `lines`, longest first. Each group passes the chi-square test as it grows and shares one fit, which is
 /// written back to its members.
-std::vector<std::vector<std::size_t>> group_collinear(std::vector<WallLine>& lines, const Picture& picture,
+std::vector<std::vector<std::size_t>> group_collinear(std::vector<WallLine>& lines,
+                                                      const PictureFacts& picture,
                                                       const MergeOptions& options);
 
 }  // namespace straightedge

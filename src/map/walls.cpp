@@ -39,7 +39,8 @@ bool opposite(const WallLine& a, const WallLine& b, double max_distance) {
 
 /// Step 2: mean over the stretch of the darkness across the wall, in pixels of black.
 double wall_width(const LineSampler& picture, const WallLine& a, Span stretch, double distance) {
-  constexpr double step = 0.25;
+  constexpr double step = 0.5;
+  constexpr double places = 4;
   const double reach = 0.5 * distance + 2.5;
   std::vector<double> depths;
   for (double depth = -reach - 0.5 * distance; depth <= reach - 0.5 * distance; depth += step)
@@ -47,7 +48,7 @@ double wall_width(const LineSampler& picture, const WallLine& a, Span stretch, d
   std::vector<double> grays(depths.size());
   double sum = 0;
   int rows = 0;
-  const double way = place_step(stretch.length());
+  const double way = std::max(stretch.length() / places, 1.0);
   for (double s = stretch.begin + 0.5 * way; s < stretch.end; s += way) {
     picture.across(a, s, depths, grays.data());
     for (const double gray : grays) sum += 255 - gray;

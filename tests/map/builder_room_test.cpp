@@ -42,11 +42,12 @@ TEST_CASE("a builder used again and again gives the maps of a new one") {
   }
 }
 
-TEST_CASE("without refinement every line is an edge of the picture, to about a pixel") {
+TEST_CASE("without refinement the faces of thick bars are lines, each once") {
   const auto built = build_line_map(plan_of({180, 120}, 8), {.refine = false});
   REQUIRE(built);
-  CHECK(built->report.rounds == 1);
-  CHECK(built->report.candidates == built->report.lines + built->report.too_short);
+  CHECK(built->report.rounds == 0);
+  CHECK(built->report.walls == 0);
+  CHECK(built->report.edges == built->report.lines + built->report.too_short + built->report.merged);
   double found = 0;
   for (const MapLine& line : built->map.lines) {
     REQUIRE(line.segments.size() == 1);
@@ -57,10 +58,28 @@ TEST_CASE("without refinement every line is an edge of the picture, to about a p
     // Both bars are 8 thick; their axes in the map's frame: y = 30, and from (-60, -30) to (60, -40).
     const double x = 0.5 * (s.x0 + s.x1), y = 0.5 * (s.y0 + s.y1);
     const double off = y > 0 ? std::fabs(y - 30) : std::fabs(y + 35 + x / 12) * std::cos(std::atan(1.0 / 12));
-    CHECK(off == Approx(4).margin(1.2));
-    CHECK(line.covariance->var_offset > 0.1);
+    CHECK(off == Approx(4).margin(0.1));
+    CHECK(line.covariance->var_offset < 0.01);
   }
-  CHECK(found > 4 * 100);
+  CHECK(found == Approx(4 * 120).margin(4 * 8));
+}
+
+TEST_CASE("without refinement thin bars are axes, and in a photo they have two edges") {
+  const auto plan = plan_of({180, 120}, 3);
+  const auto built = build_line_map(plan, {.refine = false});
+  REQUIRE(built);
+  CHECK(built->report.walls == 2);
+  REQUIRE(built->map.lines.size() == 2);
+  for (const MapLine& line : built->map.lines) {
+    CHECK(line.width == Approx(3).margin(0.3));
+    const MapSegment& s = line.segments.front();
+    const double x = 0.5 * (s.x0 + s.x1), y = 0.5 * (s.y0 + s.y1);
+    CHECK((y > 0 ? y - 30 : y + 35 + x / 12) == Approx(0).margin(0.1));
+  }
+  const auto photo = build_line_map(plan, {.picture = PictureKind::photo, .refine = false});
+  REQUIRE(photo);
+  CHECK(photo->report.walls == 0);
+  CHECK(photo->map.lines.size() >= 4);
 }
 
 TEST_CASE("bad options and pictures without pixels are refused without refinement, too") {

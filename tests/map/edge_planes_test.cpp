@@ -52,7 +52,11 @@ TEST_CASE("the planes are Canny's with every set of kernels") {
       Image<std::uint8_t> edges(size);
       const CannyResult expected = canny.run(gray, edges.view());
       REQUIRE(planes.detect(gray, options, kernels) == expected.status);
-      CHECK(planes.pixels == edges);
+      CHECK(same<std::uint8_t>(planes.to_pixels(), edges));
+      EdgeBits bits;
+      planes.to_bits(bits);
+      for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) CHECK(bits.contains(x, y) == (edges.at(x, y) != 0));
       CHECK(same<std::uint8_t>(planes.blurred, canny.blurred()));
       CHECK(same<std::int16_t>(planes.dx, canny.gradient_x()));
       CHECK(same<std::int16_t>(planes.dy, canny.gradient_y()));
@@ -63,6 +67,10 @@ TEST_CASE("the planes are Canny's with every set of kernels") {
       CHECK(planes.result.strong == expected.strong);
       CHECK(planes.result.low == expected.low);
       CHECK(planes.result.high == expected.high);
+      REQUIRE(planes.detect(gray, options, kernels, Blurred::dropped) == expected.status);
+      CHECK(same<std::uint8_t>(planes.to_pixels(), edges));
+      CHECK(same<std::int16_t>(planes.dx, canny.gradient_x()));
+      CHECK(same<std::int16_t>(planes.dy, canny.gradient_y()));
     }
   }
 }

@@ -31,7 +31,7 @@ void check_rules(const std::vector<MapLine>& lines) {
 
 TEST_CASE("columns and rows become the frame of the image's centre, y up") {
   // Row 29 is v = 29.5, so 20.5 above the centre; columns 20 to 80 are u = 20.5 to 80.5.
-  const auto lines = to_map_lines({stage::face({20, 29}, {80, 29})}, {{0}}, blank());
+  const auto lines = to_map_lines({stage::face({20, 29}, {80, 29})}, {{0}}, blank(), blank().gray.size());
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].rho == Approx(20.5).epsilon(1e-12));
   CHECK(lines[0].theta == Approx(pi / 2).epsilon(1e-12));
@@ -56,7 +56,7 @@ TEST_CASE("lines all round the centre keep the rules and their free side") {
       const Point2 foot{99.5 - aside * s, 49.5 + aside * c};
       WallLine line = stage::face({foot.x - 30 * c, foot.y - 30 * s}, {foot.x + 30 * c, foot.y + 30 * s});
       line.free_plus = true;
-      const auto lines = to_map_lines({line}, {{0}}, blank());
+      const auto lines = to_map_lines({line}, {{0}}, blank(), blank().gray.size());
       REQUIRE(lines.size() == 1);
       check_rules(lines);
       const Point2 light = centre_from_image({foot.x + 0.5 + 4 * line.nx, foot.y + 0.5 + 4 * line.ny}, size);
@@ -72,7 +72,7 @@ TEST_CASE("the segments of one line add up; ids count through the map") {
   a.free_plus = true;  // above
   b.free_plus = true;  // below, for it runs the other way
   const WallLine other = stage::face({20, 70}, {90, 70});
-  const auto lines = to_map_lines({a, other, b}, {{0, 2}, {1}}, blank());
+  const auto lines = to_map_lines({a, other, b}, {{0, 2}, {1}}, blank(), blank().gray.size());
   REQUIRE(lines.size() == 2);
   CHECK(lines[0].id == 0);
   CHECK(lines[1].id == 1);

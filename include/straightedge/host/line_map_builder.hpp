@@ -34,7 +34,7 @@ struct LineMapOptions {
   double max_gap = 10;          ///< pixels, 0..1e6; a hole in a wall up to this long is bridged
   double max_wall_width = 3.6;  ///< pixels, 0..50; thinner walls become one axis, thicker keep both faces
   double furniture_size = 26;   ///< pixels, 0..1e6; solid things that stand alone and fit in are dropped
-  bool refine = true;           ///< false: the edges of the first round as they are, in a third of the time
+  bool refine = true;           ///< false: edges are followed, thin walls joined, and no more
   std::optional<RosMeaning> meaning = {};  ///< a ROS map's thresholds decide what is wall
 };
 
@@ -50,9 +50,10 @@ constexpr HoughOptions first_round(const LineMapOptions& options) noexcept {
 struct LineMapReport {
   PictureKind picture = PictureKind::photo;  ///< what it was taken for; without `refine` nobody asks
   CannyResult canny;
-  HoughResult hough;             ///< of the first round
-  std::uint32_t rounds = 0;      ///< of the Hough transform, each on the pixels that the one before left
-  std::uint32_t candidates = 0;  ///< segments of the Hough transform, all rounds
+  HoughResult hough;             ///< of the first round, if there was one
+  std::uint32_t rounds = 0;      ///< of the Hough transform, each on the pixels that the one before left;
+                                 ///< none without `refine`
+  std::uint32_t candidates = 0;  ///< segments of the Hough transform, all rounds; without it edges
   std::uint32_t edges = 0;       ///< of them held as straight edges with pixels of their own
   std::uint32_t walls = 0;       ///< pairs of edges joined into the axis of a thin wall
   std::uint32_t no_wall = 0;     ///< dropped: too pale, too little support, or wall on both sides
@@ -82,9 +83,10 @@ struct LineMapResult {
 /// 10. The map's frame, normal form and covariance.
 /// Steps 4 to 6 and the furniture of step 7 are for maps alone.
 ///
-/// Without `refine`: edges by Canny of the picture as given, one round of the Hough transform, and each of
-/// its segments is a line, from end to end, of a photo. Ends are whole pixels, walls have both faces, and an
-/// edge may come in pieces or twice.
+/// Without `refine`, in a quarter of the time: edges by Canny of the picture as given; each is followed from
+/// pixel to pixel, and `hough` is not asked; thin walls become axes as in step 4, unless the picture is said
+/// to be a photo; pieces of one edge are joined; lone edges shorter than 1.5 min_length go. Ends are those of
+/// the pixels, about two pixels off, and each segment is a line.
 ///
 /// Failures: bad_content (no pixels), bad_option (out of range, or a picture too large for the Hough
 /// transform: sides up to 32767). Time proportional to the pixels plus the lines; memory about 15 bytes a

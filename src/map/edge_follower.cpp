@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#include "map/edge_follower.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "map/edge_reading.hpp"
+#include "straightedge/square_root.hpp"
+
+namespace straightedge {
+namespace {
+
+constexpr double long_edge = 24;  // pixels
+// Half the corridor's width: of whole pixels at first, then, and of places between the pixels.
+constexpr double first_half = 1.9, half = 1.3, half_of_places = 1.2;
+constexpr double beside = 2.2;  // pixels from the line; what belongs to the same edge: its staircase
+constexpr std::int64_t tangent_inside = 119, tangent_beside = 215;  // of 25 and 40 degrees, times 256
+constexpr double cos_inside = 0.906307787036650;                    // 25 degrees
+// Steps to each side before the first fit. Later ones go on for a share of the pixels that the line is known
+// by: where it has just moved over by a pixel, it is not known better.
+constexpr std::int32_t first_steps = 5, trust = 2;
+constexpr std::int32_t most_in_step = 12;  // pixels beside a line that is not too steep
+constexpr double min_density = 0.6;        // edge pixels a pixel of length: a diagonal has 0.7
+constexpr double max_residual = 0.6;       // pixels
+constexpr double max_slope = 1.7;  // from step to step; steeper ones have turned too far from the seed
+
+// Numbers with a fraction of sixteen bits.
+constexpr int fraction_bits = 16;
+constexpr std::int64_t one = std::int64_t{1} << fraction_bits;
+std::int64_t fixed(double value) {
+  return static_cast<std::int64_t>(value * one);
+}
+
+/// The pixels of a word of row y on lattice number `which`, those where x + 2 y = which (mod 5): no row,
+/// column or diagonal has more than four others between two of them.
+std::uint64_t on_lattice(std::int32_t y, std::int32_t word, std::int32_t which) {
+  constexpr std::uint64_t every_fifth = 0x1084210842108421;
+  const std::int32_t first = (which + 3 * y + word) % 5;  // -2 = 3 and -64 = 1
+  return every_fifth << first;
+}
+
+/// A corridor as it is walked along, in the numbers above: where across it lies at a step, and from there on.
+struct Course {
+  std::int64_t at, next;       ///< the line at the first step, and how far it moves with each
+  std::int64_t inside, reach;  ///< across, to each side: in the corridor, and beside it
+  std::int64_t step_length;    ///< along the line
+  std::int32_t width;          ///< pixels across that are looked at
+};
+
+Course course_of(const refitting::Corridor& strip, bool steep, std::int32_t step, std::int32_t direction) {
+  const double along_normal = steep ? strip.nx : strip.ny, aside = steep ? strip.ny : strip.nx;
+  const double first = steep ? strip.py : strip.px, across = steep ? strip.px : strip.py;
+  const double slope = -aside / along_normal, step_length = 1 / std::fabs(along_normal);
+  const std::int64_t reach = fixed(beside * step_length);
+  return {.at = fixed(across + (step - first) * slope),
+          .next = fixed(direction * slope),
+          .inside = fixed(strip.half_width * step_length),
+          .reach = reach,
+          .step_length = fixed(step_length),
+          .width = static_cast<std::int32_t>((2 * reach + one) / one)};
+}
+
+}  // namespace
+
+void EdgeFollower::start(std::int32_t x, std::int32_t y) {
+  const double dx = field_.x.at(x, y), dy = field_.y.at(x, y);
+  const double size = square_root(dx * dx + dy * dy);
+  steep_ = std::fabs(dx) > std::fabs(dy);
+  strip_ = {.px = static_cast<double>(x),
+            .py = static_cast<double>(y),
+            .nx = dx / size,
+            .ny = dy / size,
+            .half_width = first_half,
+            .cos_max_angle = cos_inside};
+  sums_ = {};
+  seed_ = {steep_ ? y : x, steep_ ? x : y, true};
+  for (Way& way : ways_) {
+    way.direction = &way == &ways_[0] ? 1 : -1;
+    way.step = way.direction > 0 ? seed_.step : seed_.step - 1;
+    way.hole = 0;
+    way.going = true;
+    way.last = seed_;
+    way.visited = way.up_to_last = 0;
+  }
+}
+
+/// Step 2.
+void EdgeFollower::walk(Way& way, std::int32_t steps) {
+  const bool steep = steep_;
+  const EdgeBits& edges = *edges_;
+  const ImageView<const std::int16_t> field_x = field_.x, field_y = field_.y;
+  const Pixel seed = seed_;
+  const auto room = way.visited + static_cast<std::size_t>(steps * most_in_step);
+  if (way.pixels.size() < room) way.pixels.resize(2 * room);
+  Pixel* const pixels = way.pixels.data();
+  const Course course = course_of(strip_, steep, way.step, way.direction);
+  const std::int64_t nx = fixed(strip_.nx), ny = fixed(strip_.ny), gap = fixed(options_.max_gap);
+  const std::int32_t end = edges.steps(steep), places = edges.places(steep);
+  std::size_t visited = way.visited, up_to_last = way.up_to_last;
+  std::int64_t at = course.at, hole = way.hole;
+  std::int32_t step = way.step;
+  Sums sums = sums_;
+  bool going = true;
+  for (; steps > 0 && going; --steps, step += way.direction, at += course.next) {
+    hole += course.step_length;
+    const auto from = static_cast<std::int32_t>((at - course.reach + one - 1) >> fraction_bits);
+    if (step < 0 || step >= end || from >= places || from + course.width <= 0) {
+      going = false;
+      break;
+    }
+    edges.for_each(steep, step, from, course.width, [&](std::int32_t across) {
+      const std::int32_t x = steep ? across : step, y = steep ? step : across;
+      const std::int64_t dx = field_x.at(x, y), dy = field_y.at(x, y);
+      const std::int64_t toward = dx * nx + dy * ny, aside = dx * ny - dy * nx;
+      const std::int64_t turned = aside < 0 ? -aside : aside;
+      if (turned * 256 >= toward * tangent_beside) return;
+      const std::int64_t off = across * one - at;
+      const bool inside =
+          off <= course.inside && -off <= course.inside && turned * 256 < toward * tangent_inside;
+      pixels[visited++] = {step, across, inside};
+      if (!inside) return;
+      const std::int64_t s = step - seed.step, a = across - seed.across;
+      ++sums.count;
+      sums.step += s;
+      sums.across += a;
+      sums.step_step += s * s;
+      sums.step_across += s * a;
+      hole = 0;
+      up_to_last = visited;
+    });
+    going = hole <= gap;
+  }
+  sums_ = sums;
+  way.going = going;
+  way.step = step;
+  way.hole = hole;
+  way.visited = visited;
+  way.up_to_last = up_to_last;
+  if (up_to_last > 0) way.last = pixels[up_to_last - 1];
+}
+
+/// Step 3.
+bool EdgeFollower::lay_line() {
+  const auto n = static_cast<double>(sums_.count);
+  const auto step = static_cast<double>(sums_.step), across = static_cast<double>(sums_.across);
+  const double spread = n * static_cast<double>(sums_.step_step) - step * step;
+  if (!(spread > 0)) return false;
+  const double slope = (n * static_cast<double>(sums_.step_across) - step * across) / spread;
+  if (std::fabs(slope) > max_slope) return false;
+  const double size = 1 / square_root(1 + slope * slope);
+  const double nx = steep_ ? size : -slope * size, ny = steep_ ? -slope * size : size;
+  const double side = nx * strip_.nx + ny * strip_.ny < 0 ? -1 : 1;
+  strip_.nx = side * nx;
+  strip_.ny = side * ny;
+  const double middle = step / n + seed_.step, middle_across = across / n + seed_.across;
+  strip_.px = steep_ ? middle_across : middle;
+  strip_.py = steep_ ? middle : middle_across;
+  return true;
+}
+
+bool EdgeFollower::is_edge(double min_length) const {
+  const double steps = ways_[0].last.step - ways_[1].last.step;
+  const double across = ways_[0].last.across - ways_[1].last.across;
+  const double length = square_root(steps * steps + across * across);
+  return length >= min_length && static_cast<double>(sums_.count) >= min_density * length;
+}
+
+/// The places of the batch, those in the corridor, into the sums about the corridor's own point.
+void EdgeFollower::add_places(LineMoments& moments) {
+  EdgeBatch& places = *places_;
+  StripBatch& strip = *strip_places_;
+  if (field_.magnitude.data == nullptr) kernels_->edge_magnitudes(places, options_.norm == GradientNorm::l2);
+  kernels_->edge_places(places);
+  strip.count = places.count;
+  for (std::int32_t i = 0; i < places.count; ++i) {
+    strip.x[i] = places.place_x[i];
+    strip.y[i] = places.place_y[i];
+    strip.weight[i] = places.weight[i];
+    strip.dx[i] = places.dx[i];
+    strip.dy[i] = places.dy[i];
+  }
+  kernels_->find_inside({strip_.px, strip_.py, strip_.nx, strip_.ny, half_of_places, cos_inside}, strip);
+  for (std::int32_t i = 0; i < places.count; ++i) {
+    if (strip.inside[i] == 0) continue;
+    moments.weight += strip.weight[i];
+    moments.x += strip.weight_x[i];
+    moments.y += strip.weight_y[i];
+    moments.xx += strip.weight_xx[i];
+    moments.xy += strip.weight_xy[i];
+    moments.yy += strip.weight_yy[i];
+    moments.count += 1;
+  }
+  places.count = 0;
+}
+
+/// Step 4.
+bool EdgeFollower::fit(WallLine& line) {
+  line = WallLine{};
+  line.origin_x = strip_.px;
+  line.origin_y = strip_.py;
+  const auto count = static_cast<std::size_t>(sums_.count);
+  const std::size_t every = std::max<std::size_t>(1, count / options_.places);
+  std::size_t left_out = 0;
+  for (const Way& way : ways_) {
+    for (std::size_t i = 0; i < way.up_to_last; ++i) {
+      const Pixel& pixel = way.pixels[i];
+      if (!pixel.inside || ++left_out < every) continue;
+      left_out = 0;
+      read_edge(field_, column(pixel), row(pixel), *places_);
+      if (places_->count == StripBatch::room) add_places(line.moments);
+    }
+  }
+  if (places_->count > 0) add_places(line.moments);
+  if (fit_line(line.moments, line.fit) != Status::ok || line.fit.residual > max_residual) return false;
+  const double side = line.fit.normal_x * strip_.nx + line.fit.normal_y * strip_.ny < 0 ? -1 : 1;
+  line.nx = side * line.fit.normal_x;
+  line.ny = side * line.fit.normal_y;
+  line.fit.centroid_x += strip_.px;
+  line.fit.centroid_y += strip_.py;
+  const double a = line.along(column(ways_[0].last), row(ways_[0].last));
+  const double b = line.along(column(ways_[1].last), row(ways_[1].last));
+  line.begin = std::min(a, b);
+  line.end = std::max(a, b);
+  line.pixels = line.votes = static_cast<std::uint32_t>(count);
+  return true;
+}
+
+/// Step 5.
+void EdgeFollower::take_pixels() {
+  for (const Way& way : ways_) {
+    for (std::size_t i = 0; i < way.up_to_last; ++i) edges_->clear(column(way.pixels[i]), row(way.pixels[i]));
+  }
+}
+
+bool EdgeFollower::follow(std::int32_t x, std::int32_t y, double min_length, WallLine& line) {
+  if (field_.x.at(x, y) == 0 && field_.y.at(x, y) == 0) return false;
+  start(x, y);
+  std::int32_t steps = first_steps;
+  const double few = 2 * min_density * first_steps;
+  while (ways_[0].going || ways_[1].going) {
+    for (Way& way : ways_)
+      if (way.going) walk(way, steps);
+    if (static_cast<double>(sums_.count) < few || !lay_line()) return false;
+    if (steps > first_steps) strip_.half_width = half;
+    steps = std::max(2 * first_steps, static_cast<std::int32_t>(sums_.count / trust));
+  }
+  if (!is_edge(min_length) || !fit(line) || line.length() < min_length) return false;
+  take_pixels();
+  return true;
+}
+
+std::vector<WallLine> EdgeFollower::run(EdgeBits& edges, const GradientField& field,
+                                        const FollowOptions& options, const PictureRowKernels& kernels) {
+  edges_ = &edges;
+  field_ = field;
+  options_ = options;
+  kernels_ = &kernels;
+  std::vector<WallLine> lines;
+  WallLine line;
+  const std::int32_t words = (edges.size().width + 63) / 64;
+  for (const double least : {std::max(long_edge, options.min_length), options.min_length}) {  // Step 1
+    const std::int32_t lattice = least == options.min_length ? 2 : 0;
+    for (std::int32_t y = 0; y < edges.size().height; ++y) {
+      for (std::int32_t word = 0; word < words; ++word) {
+        std::uint64_t seeds = edges.word(word, y) & on_lattice(y, word, lattice);
+        for (; seeds != 0; seeds &= seeds - 1) {
+          const std::int32_t x = word * 64 + std::countr_zero(seeds);
+          if (edges.contains(x, y) && follow(x, y, least, line)) lines.push_back(line);
+        }
+      }
+    }
+  }
+  return lines;
+}
+
+}  // namespace straightedge

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 Straightedge contributors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "map/picture_rows.hpp"
+#include "straightedge/edge_position.hpp"
+
+namespace straightedge {
+
+/// Adds the edge pixel (x, y) to the batch, with the magnitudes across the edge or, where the field has none,
+/// the gradients that they are made from.
+inline void read_edge(const GradientField& field, std::int32_t x, std::int32_t y, EdgeBatch& batch) noexcept {
+  constexpr std::int32_t middle = EdgeBatch::around / 2;
+  const auto step_down = [](const auto& image) {  // elements from one row to the next
+    return image.stride / static_cast<std::ptrdiff_t>(sizeof(*image.data));
+  };
+  const std::int32_t at = batch.count++;
+  const std::int16_t* const dx = field.x.row(y) + x;
+  const std::int16_t* const dy = field.y.row(y) + x;
+  batch.x[at] = x;
+  batch.y[at] = y;
+  batch.dx[at] = *dx;
+  batch.dy[at] = *dy;
+  const bool across_columns = (*dx < 0 ? -*dx : *dx) >= (*dy < 0 ? -*dy : *dy);
+  const std::int32_t place = across_columns ? x : y;
+  const std::int32_t places = across_columns ? field.x.width : field.x.height;
+  if (place < middle || place + middle >= places) {
+    for (std::int32_t k = 0; k < EdgeBatch::around; ++k)
+      batch.magnitude[k][at] = batch.near_dx[k][at] = batch.near_dy[k][at] = 0;
+  } else if (field.magnitude.data != nullptr) {
+    const std::int32_t* const magnitude = field.magnitude.row(y) + x;
+    const std::ptrdiff_t step = across_columns ? 1 : step_down(field.magnitude);
+    for (std::int32_t k = 0; k < EdgeBatch::around; ++k)
+      batch.magnitude[k][at] = magnitude[(k - middle) * step];
+  } else {
+    const std::ptrdiff_t step_dx = across_columns ? 1 : step_down(field.x);
+    const std::ptrdiff_t step_dy = across_columns ? 1 : step_down(field.y);
+    for (std::int32_t k = 0; k < EdgeBatch::around; ++k) {
+      batch.near_dx[k][at] = dx[(k - middle) * step_dx];
+      batch.near_dy[k][at] = dy[(k - middle) * step_dy];
+    }
+  }
+}
+
+}  // namespace straightedge
