@@ -19,7 +19,15 @@ const char* name_of(PictureKind kind) {
 
 void DetectionArguments::add_to(CLI::App& command) {
   add_picture(command);
-  add_method(command, given.hough.method);
+  add_choice<std::optional<HoughMethod>>(
+      command, "--method", method,
+      {{"follow", std::nullopt},
+       {"standard", HoughMethod::standard},
+       {"progressive", HoughMethod::progressive},
+       {"randomized", HoughMethod::randomized}},
+      "straight edges are followed from pixel to pixel, in little more than half the time; or a Hough "
+      "transform "
+      "finds them: every pixel votes; random pixels vote until a line stands out; random pairs vote");
   add_the_rest(command);
 }
 
@@ -56,6 +64,8 @@ Result<LineMapOptions> DetectionArguments::options(std::uint64_t seed) const {
   LineMapOptions options = given;
   options.canny = *edges;
   options.hough.seed = seed;
+  options.follow = !method;
+  if (method) options.hough.method = *method;
   return options;
 }
 
@@ -63,11 +73,11 @@ std::string words_of(const LineMapOptions& o) {
   const auto number = [](const char* name, auto value) {
     return std::string(", ") + name + " " + io::to_text(value);
   };
-  return "method " + name_of(o.hough.method) + ", seed " + io::to_text(o.hough.seed) + ", picture " +
-         name_of(o.picture) + number("min-length", o.min_length) + number("max-gap", o.max_gap) +
-         number("max-wall-width", o.max_wall_width) + number("furniture-size", o.furniture_size) +
-         number("window", o.hough.gradient_window * (180 / pi)) + " degrees" +
-         number("threshold", o.hough.threshold) + ", " + words_of(o.canny);
+  return "method " + (o.follow ? "follow" : name_of(o.hough.method)) + ", seed " + io::to_text(o.hough.seed) +
+         ", picture " + name_of(o.picture) + number("min-length", o.min_length) +
+         number("max-gap", o.max_gap) + number("max-wall-width", o.max_wall_width) +
+         number("furniture-size", o.furniture_size) + number("window", o.hough.gradient_window * (180 / pi)) +
+         " degrees" + number("threshold", o.hough.threshold) + ", " + words_of(o.canny);
 }
 
 }  // namespace straightedge::cli

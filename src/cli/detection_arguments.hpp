@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/canny_arguments.hpp"
@@ -20,14 +21,14 @@ struct DetectionArguments {
   Result<LineMapOptions> options(std::uint64_t seed) const;
 
   PictureKind picture() const { return given.picture; }
-  HoughMethod method() const { return given.hough.method; }
-  void set_method(HoughMethod method) { given.hough.method = method; }
+  void set_method(HoughMethod asked) { method = asked; }
 
  private:
   void add_picture(CLI::App& command);
   void add_the_rest(CLI::App& command);
 
-  LineMapOptions given;  // all but what `canny` knows
+  LineMapOptions given;  // all but the method and what `canny` knows
+  std::optional<HoughMethod> method = LineMapOptions{}.hough.method;  // none: edges are followed
   CannyArguments canny{LineMapOptions{}.canny};
 };
 

@@ -33,8 +33,12 @@ std::string words_of(const LineMapReport& report, Size size) {
              count(report.too_short, " too short\n");
     return words + result;
   }
-  words += "  Hough     " + count(report.candidates, " segments in ") + count(report.rounds, " rounds; ") +
-           count(report.edges, " held as straight edges\n");
+  if (report.rounds == 0) {
+    words += "  followed  " + count(report.edges, " straight edges\n");
+  } else {
+    words += "  Hough     " + count(report.candidates, " segments in ") + count(report.rounds, " rounds; ") +
+             count(report.edges, " held as straight edges\n");
+  }
   words += "  joined    " + count(report.walls, " pairs of edges into axes of thin walls, ") +
            count(report.merged, " fragments into others\n");
   words += "  dropped   " + count(report.no_wall, " no wall, ") + count(report.furniture, " furniture, ") +

@@ -12,18 +12,18 @@
 namespace straightedge {
 namespace {
 
-constexpr double long_edge = 24;  // pixels
+constexpr double long_edge = 20;  // pixels
 // Half the corridor's width: of whole pixels at first, then, and of places between the pixels.
-constexpr double first_half = 1.9, half = 1.3, half_of_places = 1.2;
+constexpr double first_half = 1.6, half = 1.3, half_of_places = 1.2;
 constexpr double beside = 2.2;  // pixels from the line; what belongs to the same edge: its staircase
 constexpr std::int64_t tangent_inside = 119, tangent_beside = 215;  // of 25 and 40 degrees, times 256
 constexpr double cos_inside = 0.906307787036650;                    // 25 degrees
 // Steps to each side before the first fit. Later ones go on for a share of the pixels that the line is known
 // by: where it has just moved over by a pixel, it is not known better.
-constexpr std::int32_t first_steps = 5, trust = 2;
+constexpr std::int32_t first_steps = 5, trust = 3;
 constexpr std::int32_t most_in_step = 12;  // pixels beside a line that is not too steep
 constexpr double min_density = 0.6;        // edge pixels a pixel of length: a diagonal has 0.7
-constexpr double max_residual = 0.6;       // pixels
+constexpr double max_residual = 0.4;       // pixels
 constexpr double max_slope = 1.7;  // from step to step; steeper ones have turned too far from the seed
 
 // Numbers with a fraction of sixteen bits.

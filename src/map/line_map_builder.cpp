@@ -31,6 +31,7 @@ constexpr double corner_reach = 3.5;     // pixels
 constexpr double lone_edge_share = 1.5;  // of the shortest length asked for; without refinement
 constexpr double shortest_edge = 6;      // pixels; corners and thin walls need the short ones, too
 constexpr double longest_hole = 8;       // pixels, of an edge; walls are bridged later
+constexpr std::size_t few_places = 16;   // of an edge, without refinement
 
 bool valid(const LineMapOptions& o) {
   return o.min_length >= 3 && o.min_length <= 1e6 && o.max_gap >= 0 && o.max_gap <= 1e6 &&
@@ -72,9 +73,12 @@ Status detect_edges(const Picture& picture, const CannyOptions& options, const K
 }
 
 FollowOptions follow_options(const LineMapOptions& options) {
-  return {.min_length = shortest_edge,
-          .max_gap = std::min(options.max_gap, longest_hole),
-          .norm = options.canny.norm};
+  FollowOptions follow;
+  follow.min_length = shortest_edge;
+  follow.max_gap = std::min(options.max_gap, longest_hole);
+  follow.norm = options.canny.norm;
+  if (!options.refine) follow.places = few_places;
+  return follow;
 }
 
 /// Steps 4 to 6: what only a map can tell, for only there dark means wall.
@@ -140,8 +144,6 @@ LineMapBuilder& LineMapBuilder::operator=(LineMapBuilder&&) noexcept = default;
 
 Result<LineMapResult> LineMapBuilder::build_coarse(GrayView gray) {
   const LineMapOptions& options = options_;
-  const Status may = hough_grid(gray.size(), first_round(options)).status;
-  if (may != Status::ok) return failure_of("the line map's options", may);
   LineMapResult out;
   GrayView seen = gray;
   if (options.meaning && options.meaning->negate) {
@@ -183,6 +185,8 @@ Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   if (!gray.valid()) return Failure{Problem::bad_content, "the picture has no pixels"};
   if (!valid(options) || (options.meaning && !valid(*options.meaning)))
     return failure_of("the line map's options", Status::invalid_option);
+  const Status may = hough_grid(gray.size(), first_round(options)).status;
+  if (may != Status::ok) return failure_of("the Hough transform", may);
   if (!options.refine) return build_coarse(gray);
   LineMapResult out;
   LineMapReport& report = out.report;
@@ -197,9 +201,15 @@ Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   report.canny = edges.planes.result;
   // Step 3: straight edges, each with pixels of its own.
   std::vector<WallLine> lines;
-  status = find_edges(edges.planes.to_pixels(), edges.field(), options, kernels_, room_->candidates, lines,
-                      report);
-  if (status != Status::ok) return failure_of("the Hough transform", status);
+  if (options.follow) {
+    edges.planes.to_bits(room_->bits);
+    lines = room_->follower.run(room_->bits, edges.field(), follow_options(options), *kernels_.picture_rows);
+    report.candidates = report.edges = static_cast<std::uint32_t>(lines.size());
+  } else {
+    status = find_edges(edges.planes.to_pixels(), edges.field(), options, kernels_, room_->candidates, lines,
+                        report);
+    if (status != Status::ok) return failure_of("the Hough transform", status);
+  }
   // Steps 4 to 6: thin walls become axes, ends are measured, what is no wall goes.
   const bool map = picture.kind == PictureKind::map;
   if (map)

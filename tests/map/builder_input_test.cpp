@@ -177,6 +177,10 @@ TEST_CASE("ids count from zero, counts of the report are those of the map") {
   CHECK(result.report.edges >= segments);
   CHECK(result.report.candidates >= result.report.edges);
   CHECK(result.report.rounds >= 1);
+  const LineMapResult followed = plan::build(room().picture(), {.follow = true});
+  CHECK(followed.report.candidates == followed.report.edges);
+  CHECK(followed.report.rounds == 0);
+  CHECK(followed.report.segments == segments);
 }
 
 TEST_CASE("a photo keeps every edge and knows no walls") {

@@ -30,6 +30,7 @@ struct LineMapOptions {
   PictureKind picture = PictureKind::automatic;
   CannyOptions canny{.low = 40, .high = 110};
   HoughOptions hough = line_map_hough;
+  bool follow = false;          ///< true: straight edges are followed, `hough` is not asked; faster
   double min_length = 9;        ///< pixels, 3..1e6; shorter segments are dropped
   double max_gap = 10;          ///< pixels, 0..1e6; a hole in a wall up to this long is bridged
   double max_wall_width = 3.6;  ///< pixels, 0..50; thinner walls become one axis, thicker keep both faces
@@ -52,7 +53,7 @@ struct LineMapReport {
   CannyResult canny;
   HoughResult hough;             ///< of the first round, if there was one
   std::uint32_t rounds = 0;      ///< of the Hough transform, each on the pixels that the one before left;
-                                 ///< none without `refine`
+                                 ///< none where edges are followed
   std::uint32_t candidates = 0;  ///< segments of the Hough transform, all rounds; without it edges
   std::uint32_t edges = 0;       ///< of them held as straight edges with pixels of their own
   std::uint32_t walls = 0;       ///< pairs of edges joined into the axis of a thin wall
@@ -73,7 +74,8 @@ struct LineMapResult {
 ///
 ///  1. What the picture shows: map or photo, ground levels, noise.
 ///  2. Edges by Canny; positions from the picture as given, directions from the stretched one.
-///  3. Straight edges: rounds of the Hough transform, each segment refit between the pixels.
+///  3. Straight edges: rounds of the Hough transform, each segment refit between the pixels. With `follow`:
+///     each is followed from pixel to pixel, and fit between the pixels.
 ///  4. The two edges of a thin wall become its axis; so does one, when the other was too ragged to be found.
 ///  5. Ends are read from the gray along each line, between the pixels.
 ///  6. What the picture does not show as wall goes.
