@@ -143,7 +143,7 @@ void quadratic_row(const Report& report) noexcept {
       sums.add(x, y, 0.3 * x - 0.1 * y + 0.02 * x * y + number(random) / 64, 1 + k % 3);
     }
     detail::QuadraticFit fit;
-    hash.add(sums.normal, sums.right, sums.qq, sums.n);
+    hash.add(sums.moments, sums.right, sums.qq, sums.n);
     hash.add(detail::fit_quadratic(sums, 0.25 * (i % 4), fit), fit.coefficients, fit.squares,
              fit.bend_squares);
   }
