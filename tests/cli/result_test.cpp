@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -209,6 +211,37 @@ TEST_CASE("--fast writes a valid map of the edges that can be followed") {
       run_program({"lines", fixture("maps/mrpt/map.yaml"), "-o", xml, "--fast", "--json"}).out);
   CHECK(numbers.at("picture") == "not asked");
   CHECK(numbers.at("lines") == map->lines.size());
+}
+
+TEST_CASE("followed edges make the walls that votes make") {
+  const TemporaryFolder folder;
+  const auto map_by = [&](const char* method) {
+    const std::string xml = (folder / "m.xml").string();
+    const Run run =
+        run_program({"lines", fixture("maps/mrpt_malaga/map.yaml"), "-o", xml, "--method", method});
+    INFO(run.err);
+    REQUIRE(run.code == 0);
+    CHECK((run.err.find("followed") != std::string::npos) == (std::string(method) == "follow"));
+    CHECK(run_program({"validate", xml}).code == 0);
+    auto map = read_line_map(xml);
+    REQUIRE(map);
+    return *map;
+  };
+  const LineMap voted = map_by("progressive"), followed = map_by("follow");
+  int walls = 0, found = 0;
+  for (const MapLine& line : voted.lines) {
+    for (const MapSegment& wall : line.segments) {
+      const double x = (wall.x0 + wall.x1) / 2, y = (wall.y0 + wall.y1) / 2;
+      if (std::hypot(wall.x1 - wall.x0, wall.y1 - wall.y0) < 40) continue;
+      ++walls;
+      found += std::any_of(followed.lines.begin(), followed.lines.end(), [&](const MapLine& other) {
+        const double off = x * std::cos(other.theta) + y * std::sin(other.theta) - other.rho;
+        return std::abs(std::sin(other.theta - line.theta)) < 0.03 && std::abs(off) < 1;
+      });
+    }
+  }
+  CHECK(walls >= 5);
+  CHECK(found >= walls - 1);
 }
 
 TEST_CASE("what lines writes keeps schema and rules") {
