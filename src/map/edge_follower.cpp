@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "map/edge_reading.hpp"
+#include "map/strip_moments.hpp"
 #include "straightedge/square_root.hpp"
 
 namespace straightedge {
@@ -183,14 +184,7 @@ void EdgeFollower::add_places(LineMoments& moments) {
   }
   kernels_->find_inside({strip_.px, strip_.py, strip_.nx, strip_.ny, half_of_places, cos_inside}, strip);
   for (std::int32_t i = 0; i < places.count; ++i) {
-    if (strip.inside[i] == 0) continue;
-    moments.weight += strip.weight[i];
-    moments.x += strip.weight_x[i];
-    moments.y += strip.weight_y[i];
-    moments.xx += strip.weight_xx[i];
-    moments.xy += strip.weight_xy[i];
-    moments.yy += strip.weight_yy[i];
-    moments.count += 1;
+    if (strip.inside[i] != 0) add(strip, i, moments);
   }
   places.count = 0;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "map/edge_points.hpp"
+#include "map/strip_moments.hpp"
 
 namespace straightedge {
 namespace {
@@ -35,13 +36,7 @@ class Sums {
     ++found_.pixels;
     found_.places += refitting::number_of(place.x, place.y);
     turn_to(s < 0 ? 0 : 1);
-    sums_.weight += batch.weight[i];
-    sums_.x += batch.weight_x[i];
-    sums_.y += batch.weight_y[i];
-    sums_.xx += batch.weight_xx[i];
-    sums_.xy += batch.weight_xy[i];
-    sums_.yy += batch.weight_yy[i];
-    sums_.count += 1;
+    straightedge::add(batch, i, sums_);
   }
 
  private:
