@@ -79,7 +79,7 @@ FlatCells show_flat_cells(const ExplainDepthRun& run, int level) {
   const double side = DepthCells::side << level;
   FlatCells out;
   const auto picture = paint_cells(run, level, [&](std::size_t i) {
-    const double rms = roughness(run.cells.moments(level, i), least_share * side * side, gate);
+    const double rms = roughness(run.cells->view().moments(level, i), least_share * side * side, gate);
     if (rms < 0) return hole_colour;
     ++out.cells;
     out.flat += rms <= flat_cell ? 1U : 0U;
@@ -98,7 +98,7 @@ LabelledCells show_cell_labels(const ExplainDepthRun& run, int level) {
   const std::vector<std::uint16_t> becomes = final_labels(run, level);
   LabelledCells out;
   out.picture = paint_cells(run, level, [&](std::size_t i) {
-    if (run.cells.at(level, i).n == 0) return hole_colour;
+    if (run.cells->view().at(level, i).n == 0) return hole_colour;
     if (labels[i] == 0) return free_colour_of_readings;
     ++out.labelled;
     const std::uint16_t plane = becomes[labels[i]];

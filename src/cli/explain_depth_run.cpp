@@ -5,20 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "straightedge/arena.hpp"
 #include "straightedge/inverse_depth.hpp"
 
 namespace straightedge::cli {
 namespace {
-
-void build_cells(ExplainDepthRun& run) {
-  Arena counted = Arena::measure();
-  run.cells.take(counted, run.depth.raw.size());
-  run.cells_memory = std::make_unique<std::byte[]>(counted.used());
-  Arena arena({run.cells_memory.get(), counted.used()});
-  run.cells.take(arena, run.depth.raw.size());
-  run.cells.build(run.inverse_depth);
-}
 
 Image<std::uint16_t> nearest_candidates(const ExplainDepthRun& run) {
   const PlaneGate gate = widened(run.options.frame);
@@ -89,7 +79,7 @@ Result<ExplainDepthRun> run_depth_stages(const DepthView& depth, const PlaneDete
   run.inverse_depth = Image<float>(depth.raw.size());
   if (inverse_depth_image(depth, run.inverse_depth.view()) != Status::ok)
     return Failure{Problem::internal, "inverse depth of a frame that has planes"};
-  build_cells(run);
+  run.cells.emplace(run.inverse_depth);
   if (options.method == PlaneMethod::ransac) search_by_ransac(run);
   if (options.method == PlaneMethod::hough) search_by_hough(run);
   run.nearest = nearest_candidates(run);

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "straightedge/depth_cells.hpp"
+#include "straightedge/host/frame_cells.hpp"
 #include "straightedge/host/plane_detector.hpp"
 #include "straightedge/host/plane_map_builder.hpp"
 #include "straightedge/ransac_planes.hpp"
@@ -54,8 +54,7 @@ struct ExplainDepthRun {
   DepthView depth;
   PlaneDetectorOptions options;
   Image<float> inverse_depth;
-  std::unique_ptr<std::byte[]> cells_memory;
-  DepthCells cells;
+  std::optional<FrameCells> cells;
 
   RansacStage ransac;                         ///< empty when the method is the other one
   HoughStage hough;                           ///< empty when the method is the other one

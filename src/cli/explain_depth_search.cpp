@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "cli/explain_depth_run.hpp"
-#include "straightedge/host/frame_cells.hpp"
 
 namespace straightedge::cli {
 namespace {
@@ -86,8 +85,7 @@ void search_by_ransac(ExplainDepthRun& run) {
   if (RansacSearch::prepare(search, size, options, memory) != Status::ok) return;
   RansacStage& stage = run.ransac;
   stage.candidates.resize(run.options.frame.max_planes);
-  const FrameCells cells(run.inverse_depth);
-  stage.result = search.run(cells.view(), {}, stage.candidates);
+  stage.result = search.run(run.cells->view(), {}, stage.candidates);
   stage.candidates.resize(stage.result.candidates);
   for (const ProposedPlane& candidate : stage.candidates) run.candidates.push_back(candidate.fit.plane);
 }
