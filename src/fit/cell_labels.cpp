@@ -180,7 +180,7 @@ struct Level {
     return labels_of(level).data() + static_cast<std::ptrdiff_t>(y) * work.cells.size(level).width + x;
   }
   std::uint32_t free_in_row(std::int32_t x, std::int32_t y) const noexcept {
-    const std::uint32_t free = free_cells(row(x, y), std::min(at_once, work.cells.size(level).width - x));
+    const std::uint32_t free = bits_of_free(row(x, y), std::min(at_once, work.cells.size(level).width - x));
     return is_finest() ? free & ~std::uint32_t{rough(x, y)} : free;
   }
   std::uint16_t& rough(std::int32_t x, std::int32_t y) const noexcept {

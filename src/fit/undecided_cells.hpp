@@ -13,7 +13,7 @@
 namespace straightedge::detail {
 
 /// Bit i: cell i has no plane.
-inline std::uint32_t free_cells(const std::uint16_t* labels, std::int32_t count) noexcept {
+inline std::uint32_t bits_of_free(const std::uint16_t* labels, std::int32_t count) noexcept {
   std::uint32_t free = 0;
   std::int32_t i = 0;
   for (; i + 4 <= count; i += 4) free |= lowest_of(~not_zero(four(labels + i)) >> 15U) << i;
