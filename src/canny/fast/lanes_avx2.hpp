@@ -145,11 +145,11 @@ struct ProductSums {
   static ProductSums all(std::int32_t value) noexcept {
     return {_mm256_set1_epi32(value), _mm256_set1_epi32(value)};
   }
-  /// To lane i the products of numbers i and i + 1; `next` begins at number 1.
-  void add(Lanes16 numbers, Lanes16 next, std::int32_t factor, std::int32_t next_factor) noexcept {
-    const __m256i factors = _mm256_set1_epi32(factor | (next_factor << 16));
-    even = _mm256_add_epi32(even, _mm256_madd_epi16(numbers.v, factors));
-    odd = _mm256_add_epi32(odd, _mm256_madd_epi16(next.v, factors));
+  /// To lanes 2 i and 2 i + 1 the products of these two numbers with two factors each, the one of number 2 i
+  /// in the low half.
+  void add(Lanes16 numbers, std::int32_t to_even, std::int32_t to_odd) noexcept {
+    even = _mm256_add_epi32(even, _mm256_madd_epi16(numbers.v, _mm256_set1_epi32(to_even)));
+    odd = _mm256_add_epi32(odd, _mm256_madd_epi16(numbers.v, _mm256_set1_epi32(to_odd)));
   }
   /// The sums divided by 65536, which must fit a byte.
   void store_bytes(std::uint8_t* bytes) const noexcept {
