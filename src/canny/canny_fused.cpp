@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "canny/edge_words.hpp"
+#include "canny/fetch_row.hpp"
 #include "canny/word_fill.hpp"
 #include "straightedge/suppress.hpp"
 
@@ -74,12 +75,15 @@ void FusedCanny::mark(std::int32_t index, GrayView gray, ImageView<std::uint8_t>
   stripe.strong = 0;
   stripe.recipe.begin();
   for (std::int32_t y = stripe.first_read; y < stripe.end_read; ++y) {
+    if (y + fetched_rows_ahead < stripe.end_read) fetch_to_read(gray.row(y + fetched_rows_ahead), gray.width);
     stripe.recipe.push(gray.row(y));
     for (std::uint32_t before = stripe.recipe.strong(); stripe.recipe.next(stripe.class_row.data());
          before = stripe.recipe.strong()) {
       const std::int32_t row = stripe.first_read + stripe.recipe.rows_out() - 1 - stripe.begin;
       if (row < 0 || row >= words.height) continue;
       stripe.strong += stripe.recipe.strong() - before;
+      if (row + fetched_rows_ahead < words.height)
+        fetch_to_write(words.row(row + fetched_rows_ahead), words.row_bytes());
       kernels_->pack_classes(stripe.class_row.data(), words.row(row), size_.width);
       if (row > 0) fill.flow_down(row - 1);
     }
@@ -98,8 +102,10 @@ void FusedCanny::spread(std::int32_t index, ImageView<std::uint8_t> edges) noexc
   detail::CannyStripe& stripe = memory_.stripes[static_cast<std::size_t>(index)];
   const EdgeWords words = words_in(edges, memory_.narrow_words);
   stripe.edges = 0;
-  for (std::int32_t y = stripe.begin; y < stripe.end; ++y)
+  for (std::int32_t y = stripe.begin; y < stripe.end; ++y) {
+    if (y + fetched_rows_ahead < stripe.end) fetch_to_write(edges.row(y + fetched_rows_ahead), edges.width);
     stripe.edges += kernels_->spread_edges(words.row(y), edges.row(y), size_.width);
+  }
 }
 
 CannyResult FusedCanny::result() const noexcept {

@@ -39,6 +39,7 @@ struct EdgeWords {
   EdgeWords rows(std::int32_t begin, std::int32_t end) const noexcept {
     return {row(begin), stride, words, end - begin};
   }
+  std::int32_t row_bytes() const noexcept { return static_cast<std::int32_t>(EdgeWord::bytes) * words; }
   std::uint8_t* row(std::int32_t y) const noexcept { return first + stride * y; }
   std::uint8_t* at(std::int32_t i, std::int32_t y) const noexcept {
     return row(y) + static_cast<std::ptrdiff_t>(EdgeWord::bytes) * i;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "canny/fetch_row.hpp"
+
 namespace straightedge {
 namespace {
 
@@ -91,6 +93,8 @@ void WordFill::sweep_up(std::int32_t begin, std::int32_t end) noexcept {
 
 // Step 2. Few words are left to grow: what is next to an edge comes from three words of three rows in turn.
 void WordFill::sweep_row() noexcept {
+  if (sweep_y_ >= fetched_rows_ahead)
+    fetch_to_read(words_.row(sweep_y_ - fetched_rows_ahead), words_.row_bytes());
   const ThreeRows rows(words_, sweep_y_);
   const std::uint8_t* at = words_.at(0, sweep_y_);
   std::uint64_t left = 0, middle = rows.edges(at);
