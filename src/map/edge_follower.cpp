@@ -5,17 +5,18 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 #include "map/edge_reading.hpp"
-#include "map/strip_moments.hpp"
+#include "map/straight_part.hpp"
 #include "straightedge/square_root.hpp"
 
 namespace straightedge {
 namespace {
 
 constexpr double long_edge = 20;  // pixels
-// Half the corridor's width: of whole pixels at first, then, and of places between the pixels.
-constexpr double first_half = 1.6, half = 1.3, half_of_places = 1.2;
+constexpr double half =
+    1.6;  // of the corridor's width; a line known by few of a staircase's pixels needs so much
 constexpr double beside = 2.2;  // pixels from the line; what belongs to the same edge: its staircase
 constexpr std::int64_t tangent_inside = 119, tangent_beside = 215;  // of 25 and 40 degrees, times 256
 constexpr double cos_inside = 0.906307787036650;                    // 25 degrees
@@ -34,11 +35,12 @@ std::int64_t fixed(double value) {
   return static_cast<std::int64_t>(value * one);
 }
 
-/// The pixels of a word of row y on lattice number `which`, those where x + 2 y = which (mod 5): no row,
-/// column or diagonal has more than four others between two of them.
-std::uint64_t on_lattice(std::int32_t y, std::int32_t word, std::int32_t which) {
+/// The pixels of a word of row y where x + 2 y (mirrored: x - 2 y) is a multiple of five: no row, column or
+/// diagonal has more than four others between two of them. An edge that climbs by two in one, or by one in
+/// two, may miss one lattice altogether, but not its mirror image.
+std::uint64_t on_lattice(std::int32_t y, std::int32_t word, bool mirrored) {
   constexpr std::uint64_t every_fifth = 0x1084210842108421;
-  const std::int32_t first = (which + 3 * y + word) % 5;  // -2 = 3 and -64 = 1
+  const std::int32_t first = ((mirrored ? 2 : 3) * y + word) % 5;  // -2 = 3 and -64 = 1
   return every_fifth << first;
 }
 
@@ -73,7 +75,7 @@ void EdgeFollower::start(std::int32_t x, std::int32_t y) {
             .py = static_cast<double>(y),
             .nx = dx / size,
             .ny = dy / size,
-            .half_width = first_half,
+            .half_width = half,
             .cos_max_angle = cos_inside};
   sums_ = {};
   seed_ = {steep_ ? y : x, steep_ ? x : y, true};
@@ -168,64 +170,75 @@ bool EdgeFollower::is_edge(double min_length) const {
   return length >= min_length && static_cast<double>(sums_.count) >= min_density * length;
 }
 
-/// The places of the batch, those in the corridor, into the sums about the corridor's own point.
-void EdgeFollower::add_places(LineMoments& moments) {
-  EdgeBatch& places = *places_;
-  StripBatch& strip = *strip_places_;
-  if (field_.magnitude.data == nullptr) kernels_->edge_magnitudes(places, options_.norm == GradientNorm::l2);
-  kernels_->edge_places(places);
-  strip.count = places.count;
-  for (std::int32_t i = 0; i < places.count; ++i) {
-    strip.x[i] = places.place_x[i];
-    strip.y[i] = places.place_y[i];
-    strip.weight[i] = places.weight[i];
-    strip.dx[i] = places.dx[i];
-    strip.dy[i] = places.dy[i];
+/// Finds where some of the pixels inside lie between the pixels, in their order along the edge.
+StripRule EdgeFollower::read_places() {
+  EdgeBatch& batch = *places_;
+  const auto count = static_cast<std::size_t>(sums_.count);
+  const std::size_t every = (count + options_.places - 1) / options_.places;
+  std::size_t left_out = every / 2;
+  const auto read = [&](const Pixel& pixel) {
+    if (!pixel.inside || ++left_out < every) return;
+    left_out = 0;
+    read_edge(field_, column(pixel), row(pixel), batch);
+  };
+  batch.count = 0;
+  for (std::size_t i = ways_[1].up_to_last; i > 0; --i) read(ways_[1].pixels[i - 1]);
+  for (std::size_t i = 0; i < ways_[0].up_to_last; ++i) read(ways_[0].pixels[i]);
+  if (field_.magnitude.data == nullptr) kernels_->edge_magnitudes(batch, options_.norm == GradientNorm::l2);
+  kernels_->edge_places(batch);
+  StripBatch& places = *strip_places_;
+  places.count = batch.count;
+  for (std::int32_t i = 0; i < batch.count; ++i) {
+    places.x[i] = batch.place_x[i];
+    places.y[i] = batch.place_y[i];
+    places.weight[i] = batch.weight[i];
+    places.dx[i] = batch.dx[i];
+    places.dy[i] = batch.dy[i];
   }
-  kernels_->find_inside({strip_.px, strip_.py, strip_.nx, strip_.ny, half_of_places, cos_inside}, strip);
-  for (std::int32_t i = 0; i < places.count; ++i) {
-    if (strip.inside[i] != 0) add(strip, i, moments);
-  }
-  places.count = 0;
+  const StripRule strip{strip_.px, strip_.py, strip_.nx, strip_.ny, half, cos_inside};
+  kernels_->find_inside(strip, places);
+  return strip;
 }
 
 /// Step 4.
 bool EdgeFollower::fit(WallLine& line) {
+  const StripRule strip = read_places();
+  const std::optional<StraightPart> part = find_straight_part(*strip_places_, strip);
+  if (!part || part->fit.residual > max_residual) return false;
+  const auto pixel_of = [&](std::int32_t i) {
+    const std::int32_t x = places_->x[i], y = places_->y[i];
+    return Pixel{steep_ ? y : x, steep_ ? x : y, true};
+  };
+  first_ = part->first == 0 ? ways_[1].last : pixel_of(part->first);
+  last_ = part->end == places_->count ? ways_[0].last : pixel_of(part->end);
   line = WallLine{};
   line.origin_x = strip_.px;
   line.origin_y = strip_.py;
-  const auto count = static_cast<std::size_t>(sums_.count);
-  const std::size_t every = std::max<std::size_t>(1, count / options_.places);
-  std::size_t left_out = 0;
-  for (const Way& way : ways_) {
-    for (std::size_t i = 0; i < way.up_to_last; ++i) {
-      const Pixel& pixel = way.pixels[i];
-      if (!pixel.inside || ++left_out < every) continue;
-      left_out = 0;
-      read_edge(field_, column(pixel), row(pixel), *places_);
-      if (places_->count == StripBatch::room) add_places(line.moments);
-    }
-  }
-  if (places_->count > 0) add_places(line.moments);
-  if (fit_line(line.moments, line.fit) != Status::ok || line.fit.residual > max_residual) return false;
+  line.moments = part->moments;
+  line.fit = part->fit;
   const double side = line.fit.normal_x * strip_.nx + line.fit.normal_y * strip_.ny < 0 ? -1 : 1;
   line.nx = side * line.fit.normal_x;
   line.ny = side * line.fit.normal_y;
   line.fit.centroid_x += strip_.px;
   line.fit.centroid_y += strip_.py;
-  const double a = line.along(column(ways_[0].last), row(ways_[0].last));
-  const double b = line.along(column(ways_[1].last), row(ways_[1].last));
+  const double a = line.along(column(first_), row(first_)), b = line.along(column(last_), row(last_));
   line.begin = std::min(a, b);
   line.end = std::max(a, b);
-  line.pixels = line.votes = static_cast<std::uint32_t>(count);
   return true;
 }
 
-/// Step 5.
-void EdgeFollower::take_pixels() {
+/// Step 5. How many of the pixels inside there were.
+std::uint32_t EdgeFollower::take_pixels() {
+  std::uint32_t taken = 0;
   for (const Way& way : ways_) {
-    for (std::size_t i = 0; i < way.up_to_last; ++i) edges_->clear(column(way.pixels[i]), row(way.pixels[i]));
+    for (std::size_t i = 0; i < way.up_to_last; ++i) {
+      const Pixel& pixel = way.pixels[i];
+      if (pixel.step < first_.step || pixel.step > last_.step) continue;
+      edges_->clear(column(pixel), row(pixel));
+      taken += pixel.inside ? 1U : 0U;
+    }
   }
+  return taken;
 }
 
 bool EdgeFollower::follow(std::int32_t x, std::int32_t y, double min_length, WallLine& line) {
@@ -237,11 +250,10 @@ bool EdgeFollower::follow(std::int32_t x, std::int32_t y, double min_length, Wal
     for (Way& way : ways_)
       if (way.going) walk(way, steps);
     if (static_cast<double>(sums_.count) < few || !lay_line()) return false;
-    if (steps > first_steps) strip_.half_width = half;
     steps = std::max(2 * first_steps, static_cast<std::int32_t>(sums_.count / trust));
   }
   if (!is_edge(min_length) || !fit(line) || line.length() < min_length) return false;
-  take_pixels();
+  line.pixels = line.votes = take_pixels();
   return true;
 }
 
@@ -255,10 +267,10 @@ std::vector<WallLine> EdgeFollower::run(EdgeBits& edges, const GradientField& fi
   WallLine line;
   const std::int32_t words = (edges.size().width + 63) / 64;
   for (const double least : {std::max(long_edge, options.min_length), options.min_length}) {  // Step 1
-    const std::int32_t lattice = least == options.min_length ? 2 : 0;
+    const bool second = least == options.min_length;
     for (std::int32_t y = 0; y < edges.size().height; ++y) {
       for (std::int32_t word = 0; word < words; ++word) {
-        std::uint64_t seeds = edges.word(word, y) & on_lattice(y, word, lattice);
+        std::uint64_t seeds = edges.word(word, y) & on_lattice(y, word, second);
         for (; seeds != 0; seeds &= seeds - 1) {
           const std::int32_t x = word * 64 + std::countr_zero(seeds);
           if (edges.contains(x, y) && follow(x, y, least, line)) lines.push_back(line);

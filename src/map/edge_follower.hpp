@@ -27,15 +27,17 @@ struct FollowOptions {
 /// Straight edges without a vote: each is followed from one of its pixels to both ends. Every pixel is
 /// looked at about twice, and belongs to one edge.
 ///
-/// 1. Seeds are edge pixels on a lattice, one pixel of five: whatever way an edge runs, it has some. Twice
-///    over the picture: the first time for long edges, the second time for short ones among what is left.
+/// 1. Seeds are edge pixels on a lattice, one pixel of five. Twice over the picture: the first time for long
+///    edges, the second time for short ones among what is left, and with the mirrored lattice, so that
+///    whatever way an edge runs, it has some seeds.
 /// 2. At the seed the line to begin with is at right angles to the gradient. Walk along it to both sides,
 ///    a column (steep: a row) a step, and take the pixels of a corridor whose gradient points to the same
 ///    side, until a hole is longer than max_gap.
 /// 3. Every some steps, more each time, lay a line through the pixels so far: least squares over whole
-///    pixels, in integers. The corridor goes on along it, and becomes narrower after the first time.
+///    pixels, in integers. The corridor goes on along it.
 /// 4. Few pixels for its length, or too short: no edge, all stays as it was. Else find where some of its
-///    pixels lie between the pixels (edge_position.hpp), and fit the line to these places (line_fit.hpp).
+///    pixels lie between the pixels (edge_position.hpp). The line is that of the longest part of these places
+///    that is straight (straight_part.hpp); what lies beyond a bend is left for another.
 /// 5. The pixels taken are gone, and so are those beside them that face the same way.
 ///
 /// R. Grompone von Gioi, J. Jakubowicz, J.-M. Morel, G. Randall, "LSD: a fast line segment detector with a
@@ -76,8 +78,8 @@ class EdgeFollower {
   bool lay_line();
   bool is_edge(double min_length) const;
   bool fit(WallLine& line);
-  void add_places(LineMoments& moments);
-  void take_pixels();
+  StripRule read_places();
+  std::uint32_t take_pixels();
 
   std::int32_t column(const Pixel& p) const { return steep_ ? p.across : p.step; }
   std::int32_t row(const Pixel& p) const { return steep_ ? p.step : p.across; }
@@ -92,6 +94,7 @@ class EdgeFollower {
   refitting::Corridor strip_;
   Sums sums_;
   std::array<Way, 2> ways_;
+  Pixel first_{}, last_{};  ///< of the part that is straight
   std::unique_ptr<EdgeBatch> places_ = std::make_unique<EdgeBatch>();
   std::unique_ptr<StripBatch> strip_places_ = std::make_unique<StripBatch>();
 };

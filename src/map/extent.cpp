@@ -19,6 +19,8 @@ constexpr double step = 0.5;        // across it
 constexpr double search = 12;       // how far beyond its edge pixels an end is looked for
 constexpr double face_depth = 2.0;  // where a face's two sides are sampled
 constexpr double axis_clearance = 2.5;
+constexpr double most_of = 0.8;    // of a line that its piece of wall has to cover
+constexpr double beyond_bend = 2;  // pixels that a piece of a bent wall may be longer than its edge
 constexpr double short_block = 3;  // a face goes on behind a block no longer than this
 
 enum class State : unsigned char { wall, hole, blocked };
@@ -209,7 +211,13 @@ std::vector<WallLine> measure_extents(const std::vector<WallLine>& lines, const 
       part.end = crossing(track, piece.last, 1);
       clip(blurred.size(), part);
       const double common = std::min(part.end, line.end) - std::max(part.begin, line.begin);
-      if (!(part.length() > 0) || common < 0.5 * part.length()) continue;
+      if (!(part.length() > 0)) continue;
+      if (common < 0.5 * part.length()) {
+        // The wall goes on along another line, unless this is but the end of it.
+        if (common < most_of * line.length()) continue;
+        part.begin = std::max(part.begin, line.begin - beyond_bend);
+        part.end = std::min(part.end, line.end + beyond_bend);
+      }
       part.pixels = static_cast<std::uint32_t>(line.pixels * std::min(1.0, common / line.length()) + 0.5);
       if (!is_wall(picture, gray, part)) continue;
       find_free_sides(picture, gray, part);

@@ -29,9 +29,9 @@ namespace {
 
 constexpr double corner_reach = 3.5;     // pixels
 constexpr double lone_edge_share = 1.5;  // of the shortest length asked for; without refinement
-constexpr double shortest_edge = 6;      // pixels; corners and thin walls need the short ones, too
+constexpr double shortest_edge = 8;      // pixels, where no shorter ones are asked for
 constexpr double longest_hole = 8;       // pixels, of an edge; walls are bridged later
-constexpr std::size_t few_places = 16;   // of an edge, without refinement
+constexpr std::size_t few_places = 24;   // of an edge, without refinement
 
 bool valid(const LineMapOptions& o) {
   return o.min_length >= 3 && o.min_length <= 1e6 && o.max_gap >= 0 && o.max_gap <= 1e6 &&
@@ -74,7 +74,7 @@ Status detect_edges(const Picture& picture, const CannyOptions& options, const K
 
 FollowOptions follow_options(const LineMapOptions& options) {
   FollowOptions follow;
-  follow.min_length = shortest_edge;
+  follow.min_length = std::min(shortest_edge, options.min_length);
   follow.max_gap = std::min(options.max_gap, longest_hole);
   follow.norm = options.canny.norm;
   if (!options.refine) follow.places = few_places;

@@ -61,6 +61,39 @@ TEST_CASE("both faces of a bar at any angle are followed from end to end, once")
   }
 }
 
+TEST_CASE("long faces that climb by two in one, or one in two, are not missed") {
+  for (const double slope : {2.0, 0.5, -0.5, -2.0}) {
+    for (int x = 0; x < 5; ++x) {
+      const double size = std::sqrt(1 + slope * slope), dx = 1 / size, dy = slope / size;
+      support::Canvas canvas(Size{200, 160}, 254);
+      canvas.paint_bar({98.0 + x - 50 * dx, 80 - 50 * dy}, {98.0 + x + 50 * dx, 80 + 50 * dy}, 7);
+      const support::EdgeScene scene(canvas.picture());
+      EdgeBits bits = bits_of(scene.mask);
+      int faces = 0;
+      for (const WallLine& line : follow(scene, bits)) faces += line.length() > 85 ? 1 : 0;
+      INFO("slope " << slope << ", at " << x);
+      CHECK(faces == 2);
+    }
+  }
+}
+
+TEST_CASE("a bent wall becomes a line on each side of the bend") {
+  support::Canvas canvas(size, 254);
+  canvas.paint_bar({10, 60}, {110, 60}, 8);
+  canvas.paint_bar({110, 60}, {190, 64}, 8);  // nearly three degrees
+  const support::EdgeScene scene(canvas.picture());
+  EdgeBits bits = bits_of(scene.mask);
+  int flat = 0, slanted = 0;
+  for (const WallLine& line : follow(scene, bits)) {
+    if (line.length() < 40) continue;
+    const double slope = -line.nx / line.ny;
+    flat += std::fabs(slope) < 0.01 ? 1 : 0;
+    slanted += std::fabs(slope - 0.05) < 0.01 ? 1 : 0;
+  }
+  CHECK(flat == 2);
+  CHECK(slanted == 2);
+}
+
 TEST_CASE("pixels that edges took are gone, all others stay") {
   support::Canvas canvas(size, 254);
   canvas.paint_box(30, 30, 130, 110);
