@@ -14,7 +14,7 @@
 namespace straightedge {
 namespace {
 
-constexpr double pace = 1;          // along the line
+constexpr double pace = 2;          // pixels along the line; where it ends, half of that
 constexpr double step = 0.5;        // across it
 constexpr double search = 12;       // how far beyond its edge pixels an end is looked for
 constexpr double face_depth = 2.0;  // where a face's two sides are sampled
@@ -28,7 +28,7 @@ enum class State : unsigned char { wall, hole, blocked };
 struct Track {
   double first = 0;                 // along the line
   std::vector<double> dark, light;  // gray of the wall's side and of the floor's
-  std::vector<double> presence;     // > 0 where there is wall
+  double half = 0, scale = 0;       // between the two, and 1 / their difference
   std::vector<State> state;
   double at(std::size_t i) const { return first + pace * static_cast<double>(i); }
 };
@@ -41,6 +41,20 @@ std::vector<double> places_on(const WallLine& line, double way) {
 }
 
 /// Step 1.
+void read_sides(const WallLine& line, const LineSampler& blurred, std::span<const double> places,
+                std::span<double> dark, std::span<double> light) {
+  if (!line.axis) {
+    blurred.along(line, places, -face_depth, dark.data());
+    blurred.along(line, places, face_depth, light.data());
+    return;
+  }
+  const double aside = 0.5 * line.width + axis_clearance;
+  blurred.along(line, places, aside, dark.data());
+  blurred.along(line, places, -aside, light.data());
+  for (std::size_t i = 0; i < places.size(); ++i) light[i] = std::max(light[i], dark[i]);
+  blurred.along(line, places, 0, dark.data());
+}
+
 Track sample_track(const WallLine& line, const LineSampler& blurred) {
   Track track;
   track.first = line.begin - search;
@@ -49,36 +63,30 @@ Track sample_track(const WallLine& line, const LineSampler& blurred) {
   for (std::size_t i = 0; i < count; ++i) places[i] = track.at(i);
   track.dark.resize(count);
   track.light.resize(count);
-  if (!line.axis) {
-    blurred.along(line, places, -face_depth, track.dark.data());
-    blurred.along(line, places, face_depth, track.light.data());
-    return track;
-  }
-  const double aside = 0.5 * line.width + axis_clearance;
-  std::vector<double> other(count);
-  blurred.along(line, places, 0, track.dark.data());
-  blurred.along(line, places, aside, track.light.data());
-  blurred.along(line, places, -aside, other.data());
-  for (std::size_t i = 0; i < count; ++i) track.light[i] = std::max(track.light[i], other[i]);
+  read_sides(line, blurred, places, track.dark, track.light);
   return track;
 }
 
-/// Step 2.
-void judge(const WallLine& line, Track& track) {
+/// Step 2. Beside the line itself both sides are what they usually are.
+void judge(Track& track) {
   const auto from = static_cast<std::ptrdiff_t>(search / pace);
   const auto to = static_cast<std::ptrdiff_t>(track.dark.size()) - from;
   const double dark = median({track.dark.begin() + from, track.dark.begin() + to});
   const double light = median({track.light.begin() + from, track.light.begin() + to});
-  const double half = 0.5 * (dark + light);
-  const double scale = light > dark ? 1 / (light - dark) : 0;
-  track.presence.reserve(track.dark.size());
+  track.half = 0.5 * (dark + light);
+  track.scale = light > dark ? 1 / (light - dark) : 0;
   track.state.reserve(track.dark.size());
   for (std::size_t i = 0; i < track.dark.size(); ++i) {
-    const double is_dark = (half - track.dark[i]) * scale;
-    const double is_light = (track.light[i] - half) * scale;
-    track.presence.push_back(line.axis ? is_dark : std::min(is_dark, is_light));
-    track.state.push_back(is_dark <= 0 ? State::hole : is_light <= 0 ? State::blocked : State::wall);
+    const bool is_dark = (track.half - track.dark[i]) * track.scale > 0;
+    const bool is_light = (track.light[i] - track.half) * track.scale > 0;
+    track.state.push_back(!is_dark ? State::hole : is_light ? State::wall : State::blocked);
   }
+}
+
+/// > 0 where there is wall.
+double presence(const WallLine& line, const Track& track, double dark, double light) {
+  const double is_dark = (track.half - dark) * track.scale;
+  return line.axis ? is_dark : std::min(is_dark, (light - track.half) * track.scale);
 }
 
 struct Piece {
@@ -120,14 +128,22 @@ std::vector<Piece> pieces_of(const WallLine& line, const Track& track, const Ext
   return pieces;
 }
 
-/// Step 4: where presence crosses zero between a sample inside and its neighbour outside.
-double crossing(const Track& track, std::size_t inside, std::ptrdiff_t direction) {
-  const std::ptrdiff_t next = static_cast<std::ptrdiff_t>(inside) + direction;
-  if (next < 0 || next >= static_cast<std::ptrdiff_t>(track.presence.size())) return track.at(inside);
-  const double here = track.presence[inside];
-  const double there = track.presence[static_cast<std::size_t>(next)];
+/// Step 4: where presence crosses zero between a sample inside and its neighbour outside. A sample between
+/// them tells in which half.
+double crossing(const WallLine& line, const LineSampler& blurred, const Track& track, std::size_t inside,
+                std::ptrdiff_t direction) {
+  const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(inside) + direction);
+  if (next >= track.dark.size()) return track.at(inside);
+  const double half_way = 0.5 * pace * static_cast<double>(direction);
+  const double middle = track.at(inside) + half_way;
+  double dark = 0, light = 0;
+  read_sides(line, blurred, {&middle, 1}, {&dark, 1}, {&light, 1});
+  const double near = presence(line, track, track.dark[inside], track.light[inside]);
+  const double between = presence(line, track, dark, light);
+  const double far = presence(line, track, track.dark[next], track.light[next]);
+  const double here = between > 0 ? between : near, there = between > 0 ? far : between;
   const double share = here > 0 && there < 0 ? here / (here - there) : 0;
-  return track.at(inside) + static_cast<double>(direction) * pace * share;
+  return (between > 0 ? middle : track.at(inside)) + half_way * share;
 }
 
 /// Cuts off what lies outside the picture, whose square reaches half a pixel beyond the outer pixels'
@@ -204,11 +220,11 @@ std::vector<WallLine> measure_extents(const std::vector<WallLine>& lines, const 
   std::vector<WallLine> out;
   for (const WallLine& line : lines) {
     Track track = sample_track(line, soft);
-    judge(line, track);
+    judge(track);
     for (const Piece& piece : pieces_of(line, track, options)) {
       WallLine part = line;
-      part.begin = crossing(track, piece.first, -1);
-      part.end = crossing(track, piece.last, 1);
+      part.begin = crossing(line, soft, track, piece.first, -1);
+      part.end = crossing(line, soft, track, piece.last, 1);
       clip(blurred.size(), part);
       const double common = std::min(part.end, line.end) - std::max(part.begin, line.begin);
       if (!(part.length() > 0)) continue;

@@ -17,7 +17,7 @@ struct ExtentOptions {
 
 /// Reads from the picture where along its line a wall begins and ends, between the pixels.
 ///
-/// 1. Sample the gray along the line, a pixel a step: on the dark side and on the light side of a face;
+/// 1. Sample the gray along the line, every second pixel: on the dark side and on the light side of a face;
 ///    at the core and on both sides of an axis. Half of the way between the usual dark and the usual light
 ///    divides wall from floor.
 /// 2. A step is wall (dark is dark, light is light), hole (the dark side is light) or blocked (the light
