@@ -44,6 +44,38 @@ bool reaches(const WallLine& line, double s, const WallLine& other, const Crossi
   return way <= own && at.on_b >= other.begin - own && at.on_b <= other.end + own;
 }
 
+/// Segments that may reach one another.
+class Neighbours {
+ public:
+  Neighbours(const std::vector<WallLine>& lines, const std::vector<WallLine>& helpers, double reach)
+      : lines_(lines),
+        helpers_(helpers),
+        reach_(reach + widest),
+        grid_(lines, reach_),
+        helper_grid_(helpers, reach_) {}
+
+  /// Of the end at `s` of lines[i].
+  const std::vector<const WallLine*>& of(std::size_t i, double s) {
+    WallLine around = lines_[i];
+    around.begin = s - reach_;
+    around.end = s + reach_;
+    found_.clear();
+    for (const std::uint32_t j : grid_.near(around))
+      if (j != i) found_.push_back(&lines_[j]);
+    for (const std::uint32_t j : helper_grid_.near(around)) found_.push_back(&helpers_[j]);
+    return found_;
+  }
+
+ private:
+  static constexpr double widest = 10;  // half the width of a thin wall, with room; a bend
+
+  const std::vector<WallLine>& lines_;
+  const std::vector<WallLine>& helpers_;
+  double reach_;
+  LineGrid grid_, helper_grid_;
+  std::vector<const WallLine*> found_;
+};
+
 /// The place on `line` nearest to its end at `s` where another segment crosses it.
 double snapped(const WallLine& line, double s, const std::vector<const WallLine*>& others, double reach) {
   double best = bend_reach + 1;
@@ -62,19 +94,13 @@ double snapped(const WallLine& line, double s, const std::vector<const WallLine*
 }  // namespace
 
 void close_corners(std::vector<WallLine>& lines, const std::vector<WallLine>& helpers, double reach) {
-  constexpr double widest = 10;  // half the width of a thin wall, with room; a bend
-  const LineGrid near_lines(lines, reach + widest);
-  const LineGrid near_helpers(helpers, reach + widest);
+  Neighbours neighbours(lines, helpers, reach);
   std::vector<WallLine> closed = lines;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    std::vector<const WallLine*> others;
-    for (const std::size_t j : near_lines.near(lines[i])) {
-      if (j != i) others.push_back(&lines[j]);
-    }
-    for (const std::size_t j : near_helpers.near(lines[i])) others.push_back(&helpers[j]);
-    const double begin = snapped(lines[i], lines[i].begin, others, reach);
-    const double end = snapped(lines[i], lines[i].end, others, reach);
-    if (end - begin < 0.5 * lines[i].length()) continue;
+    const WallLine& line = lines[i];
+    const double begin = snapped(line, line.begin, neighbours.of(i, line.begin), reach);
+    const double end = snapped(line, line.end, neighbours.of(i, line.end), reach);
+    if (end - begin < 0.5 * line.length()) continue;
     closed[i].begin = begin;
     closed[i].end = end;
   }

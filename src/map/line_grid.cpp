@@ -37,7 +37,8 @@ void LineGrid::walk(const WallLine& line, const Visit& visit) const {
 LineGrid::LineGrid(const std::vector<WallLine>& lines, double reach)
     // A line is sampled every half cell: no place of it, or of the one asked for, is further than a quarter
     // of a cell from a sample.
-    : ring_(static_cast<std::int32_t>(std::ceil((reach + 0.5 * side) / side))), lines_(lines.size()) {
+    : ring_(static_cast<std::int32_t>(std::ceil((reach + 0.5 * side) / side))),
+      marks_((lines.size() + 63) / 64) {
   std::vector<std::pair<Cell, std::uint32_t>> passes;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto index = static_cast<std::uint32_t>(i);
@@ -64,17 +65,15 @@ LineGrid::LineGrid(const std::vector<WallLine>& lines, double reach)
 }
 
 /// Marks the lines of the cells of one row, from one column to another.
-void LineGrid::mark(std::int32_t row, std::int32_t from, std::int32_t to,
-                    std::vector<std::uint64_t>& marks) const {
+void LineGrid::mark(std::int32_t row, std::int32_t from, std::int32_t to) {
   if (from > to) return;
   // The cells of a row lie one behind the other, and so do their lines.
   const std::uint32_t end = starts_[number_of({to, row}) + 1];
   for (std::uint32_t k = starts_[number_of({from, row})]; k < end; ++k)
-    marks[indices_[k] / 64] |= std::uint64_t{1} << indices_[k] % 64;
+    marks_[indices_[k] / 64] |= std::uint64_t{1} << indices_[k] % 64;
 }
 
-std::vector<std::size_t> LineGrid::near(const WallLine& line) const {
-  std::vector<std::uint64_t> marks((lines_ + 63) / 64);
+const std::vector<std::uint32_t>& LineGrid::near(const WallLine& line) {
   std::int32_t left = 0, right = -1, top = 0, bottom = -1;  // what was looked at last
   walk(line, [&](Cell cell) {
     const std::int32_t old_left = left, old_right = right, old_top = top, old_bottom = bottom;
@@ -84,16 +83,17 @@ std::vector<std::size_t> LineGrid::near(const WallLine& line) const {
     bottom = std::min(cell.row + ring_, first_.row + rows_ - 1);
     for (std::int32_t row = top; row <= bottom; ++row) {
       const bool known = row >= old_top && row <= old_bottom && old_left <= old_right;
-      mark(row, left, known ? std::min(right, old_left - 1) : right, marks);
-      if (known) mark(row, std::max(left, old_right + 1), right, marks);
+      mark(row, left, known ? std::min(right, old_left - 1) : right);
+      if (known) mark(row, std::max(left, old_right + 1), right);
     }
   });
-  std::vector<std::size_t> found;
-  for (std::size_t word = 0; word < marks.size(); ++word) {
-    for (std::uint64_t bits = marks[word]; bits != 0; bits &= bits - 1)
-      found.push_back(word * 64 + static_cast<std::size_t>(std::countr_zero(bits)));
+  found_.clear();
+  for (std::size_t word = 0; word < marks_.size(); ++word) {
+    for (; marks_[word] != 0; marks_[word] &= marks_[word] - 1)
+      found_.push_back(static_cast<std::uint32_t>(word * 64) +
+                       static_cast<std::uint32_t>(std::countr_zero(marks_[word])));
   }
-  return found;
+  return found_;
 }
 
 }  // namespace straightedge

@@ -19,8 +19,8 @@ class LineGrid {
   LineGrid(const std::vector<WallLine>& lines, double reach);
 
   /// Indices of all lines that may come within reach of this one, itself included if it was put in;
-  /// ascending, each once.
-  std::vector<std::size_t> near(const WallLine& line) const;
+  /// ascending, each once. Valid until the next question.
+  const std::vector<std::uint32_t>& near(const WallLine& line);
 
  private:
   struct Cell {
@@ -33,15 +33,16 @@ class LineGrid {
     return static_cast<std::size_t>(cell.row - first_.row) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(cell.column - first_.column);
   }
-  void mark(std::int32_t row, std::int32_t from, std::int32_t to, std::vector<std::uint64_t>& marks) const;
+  void mark(std::int32_t row, std::int32_t from, std::int32_t to);
 
   std::int32_t ring_;
-  std::size_t lines_;
   // A table over the lines' bounding box.
   Cell first_;
   std::int32_t columns_ = 1, rows_ = 1;
   std::vector<std::uint32_t> starts_;   ///< of each cell's lines, and the end
   std::vector<std::uint32_t> indices_;  ///< of lines, cell by cell
+  std::vector<std::uint64_t> marks_;    ///< a bit a line, none set between questions
+  std::vector<std::uint32_t> found_;
 };
 
 }  // namespace straightedge

@@ -85,12 +85,12 @@ bool trim(const WallLine& a, WallLine& b) {
 
 /// Step 1. Lines that were absorbed get length zero.
 void join_touching(std::vector<WallLine>& lines, const PictureFacts& picture, const MergeOptions& options) {
-  const LineGrid grid(lines, options.touching + options.max_offset);
+  LineGrid grid(lines, options.touching + options.max_offset);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     bool grown = lines[i].length() > 0;
     while (grown) {
       grown = false;
-      for (const std::size_t j : grid.near(lines[i])) {
+      for (const std::uint32_t j : grid.near(lines[i])) {
         if (j <= i || !(lines[j].length() > 0)) continue;
         const Span other = lines[i].span_of(lines[j]);
         if (other.begin > lines[i].end + options.touching || other.end < lines[i].begin - options.touching)
@@ -117,9 +117,9 @@ std::uint32_t merge_fragments(std::vector<WallLine>& lines, const PictureFacts& 
   join_touching(lines, picture, options);
   drop_empty(lines);
   sort_longest_first(lines);
-  const LineGrid grid(lines, same_place);
+  LineGrid grid(lines, same_place);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (const std::size_t j : grid.near(lines[i])) {
+    for (const std::uint32_t j : grid.near(lines[i])) {
       if (j <= i || !(lines[i].length() > 0) || !(lines[j].length() > 0)) continue;
       if (trim(lines[i], lines[j])) lines[j].end = lines[j].begin;
     }

@@ -85,10 +85,10 @@ struct Opposites {
   double length = 0;  ///< of the wall that has two sides
 };
 
-Opposites find_opposites(const std::vector<WallLine>& lines, std::size_t i, const LineGrid& grid,
+Opposites find_opposites(const std::vector<WallLine>& lines, std::size_t i, LineGrid& grid,
                          const std::vector<bool>& used, const LineSampler& picture, double max_width) {
   Opposites found;
-  for (const std::size_t j : grid.near(lines[i])) {
+  for (const std::uint32_t j : grid.near(lines[i])) {
     if (j == i || used[j] || !opposite(lines[i], lines[j], max_width + blur_spread)) continue;
     const Span both = beside(lines[i], lines[j]);
     const double distance =
@@ -135,9 +135,8 @@ WallLine axis_of(const std::vector<WallLine>& lines, std::size_t i, const Opposi
 }
 
 /// Whether an axis stands for the face, so that nothing is left of it; what an axis leaves is cut off.
-bool is_absorbed(const std::vector<WallLine>& axes, const LineGrid& grid, WallLine& face,
-                 double max_distance) {
-  for (const std::size_t k : grid.near(face)) {
+bool is_absorbed(const std::vector<WallLine>& axes, LineGrid& grid, WallLine& face, double max_distance) {
+  for (const std::uint32_t k : grid.near(face)) {
     const WallLine& axis = axes[k];
     const double facing = face.nx * axis.nx + face.ny * axis.ny;
     if (facing * facing < cos_parallel * cos_parallel) continue;
@@ -154,7 +153,7 @@ bool is_absorbed(const std::vector<WallLine>& axes, const LineGrid& grid, WallLi
 std::uint32_t join_thin_walls(std::vector<WallLine>& lines, const LineSampler& picture, double max_width) {
   const double max_distance = max_width + blur_spread;
   sort_longest_first(lines);
-  const LineGrid grid(lines, max_distance);
+  LineGrid grid(lines, max_distance);
   std::vector<bool> used(lines.size(), false);
   std::vector<WallLine> axes;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -165,7 +164,7 @@ std::uint32_t join_thin_walls(std::vector<WallLine>& lines, const LineSampler& p
     for (const std::size_t j : found.sides) used[j] = true;
     axes.push_back(axis_of(lines, i, found));  // Step 3
   }
-  const LineGrid axis_grid(axes, max_distance);
+  LineGrid axis_grid(axes, max_distance);
   std::vector<WallLine> out = axes;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!used[i] && !is_absorbed(axes, axis_grid, lines[i], max_distance)) out.push_back(lines[i]);

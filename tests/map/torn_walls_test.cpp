@@ -74,9 +74,9 @@ TEST_CASE("the grid of lines finds every line that comes near, as comparing each
     lines.push_back(stage::axis({x, y}, {x + 20 + 3.0 * i, y + 40 - 2.0 * i}));
   }
   constexpr double reach = 10;
-  const LineGrid grid(lines, reach);
+  LineGrid grid(lines, reach);
   for (const WallLine& line : lines) {
-    const std::vector<std::size_t> near = grid.near(line);
+    const std::vector<std::uint32_t>& near = grid.near(line);
     CHECK(std::is_sorted(near.begin(), near.end()));
     for (std::size_t j = 0; j < lines.size(); ++j) {
       bool close = false;
