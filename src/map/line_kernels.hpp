@@ -16,4 +16,6 @@ void find_inside(const StripRule& strip, StripBatch& batch) noexcept;
 
 void sample(const SampleWay& way, const double* steps, std::int32_t count, double* gray) noexcept;
 
+void read_nearest(const SampleWay& way, std::int32_t count, std::uint8_t* gray) noexcept;
+
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET

@@ -90,7 +90,7 @@ void read_walls(const Picture& picture, GrayView blurred, const LineMapOptions& 
   report.walls += turn_strokes_to_axes(lines, stretched, options.max_wall_width);
   const std::size_t before = lines.size();
   lines = measure_extents(lines, picture, blurred, {options.max_gap, options.max_wall_width}, kernels);
-  lines = keep_supported(lines, picture, {}, marks);
+  lines = keep_supported(lines, picture, {}, marks, kernels);
   report.no_wall = static_cast<std::uint32_t>(before > lines.size() ? before - lines.size() : 0);
 }
 
@@ -147,8 +147,8 @@ Result<LineMapResult> LineMapBuilder::build_coarse(GrayView gray) {
   LineMapResult out;
   GrayView seen = gray;
   if (options.meaning && options.meaning->negate) {
-    copy_gray(gray, true, room_->picture.gray);
-    seen = room_->picture.gray;
+    copy_gray(gray, true, room_->picture.own_gray);
+    seen = room_->picture.own_gray;
   }
   // Step 2.
   EdgePlanes& planes = room_->edges.planes;

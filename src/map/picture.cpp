@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include "map/block_medians.hpp"
@@ -30,49 +31,67 @@ constexpr int soft_levels = 12;
 constexpr int lone_contrast = 80;
 constexpr double speckled_evenness = 0.4;
 
-/// Whether eight pixels have the same gray.
-bool is_even(const std::uint8_t* eight) {
-  std::uint64_t pixels;
-  std::memcpy(&pixels, eight, sizeof pixels);
-  return std::rotl(pixels, 8) == pixels;
+/// Whether these pixels, eight times as many as there are words, have the gray of the first.
+template <std::size_t Words>
+bool are_even(const std::uint8_t* pixels) {
+  std::array<std::uint64_t, Words> words;
+  std::memcpy(words.data(), pixels, sizeof words);
+  const std::uint64_t first = 0x0101010101010101 * pixels[0];
+  std::uint64_t other = 0;
+  for (const std::uint64_t word : words) other |= word ^ first;
+  return other == 0;
 }
 
-/// Most of a drawn picture is even: eight pixels of one gray are counted together.
-Histogram histogram_of(GrayView gray) {
-  // Tables in turns: equal neighbours need not wait for one another.
-  std::array<std::array<std::uint32_t, 256>, 4> tables{};
-  Histogram histogram{};
-  for (std::int32_t y = 0; y < gray.height; ++y) {
-    const std::uint8_t* const row = gray.row(y);
+/// Counts grays. Most of a drawn picture is even: pixels of one gray are counted together. Tables in turns:
+/// equal neighbours need not wait for one another.
+class GrayCounts {
+ public:
+  void add(const std::uint8_t* row, std::int32_t count) {
     std::int32_t x = 0;
-    while (x + 8 <= gray.width) {
-      if (!is_even(row + x)) {
-        for (std::int32_t k = 0; k < 8; ++k) ++tables[static_cast<std::size_t>(k % 4)][row[x + k]];
-        x += 8;
+    while (x + 32 <= count) {
+      if (are_even<4>(row + x)) {
+        tables_[0][row[x]] += 32;
+        x += 32;
         continue;
       }
-      const std::int32_t from = x;
-      for (x += 8; x + 8 <= gray.width && std::memcmp(row + x, row + from, 8) == 0;) x += 8;
-      tables[0][row[from]] += static_cast<std::uint32_t>(x - from);
+      if (are_even<1>(row + x)) {
+        tables_[1][row[x]] += 8;
+      } else {
+        for (std::int32_t k = 0; k < 8; ++k) ++tables_[static_cast<std::size_t>(k % 4)][row[x + k]];
+      }
+      x += 8;
     }
-    for (; x < gray.width; ++x) ++histogram[row[x]];
+    for (; x < count; ++x) ++tables_[0][row[x]];
   }
-  for (std::size_t v = 0; v < 256; ++v)
-    for (const auto& table : tables) histogram[v] += table[v];
-  return histogram;
+
+  Histogram histogram(std::int64_t times) const {
+    Histogram sums{};
+    for (std::size_t v = 0; v < 256; ++v)
+      for (const auto& table : tables_) sums[v] += times * table[v];
+    return sums;
+  }
+
+ private:
+  std::array<std::array<std::uint32_t, 256>, 4> tables_{};
+};
+
+Histogram histogram_of(GrayView gray) {
+  GrayCounts counts;
+  for (std::int32_t y = 0; y < gray.height; ++y) counts.add(gray.row(y), gray.width);
+  return counts.histogram(1);
 }
 
 /// Histogram of the medians of 4x4 blocks, scaled to the number of pixels: grain and specks vanish, edges do
 /// not make levels of their own, even areas stay.
 Histogram block_histogram(GrayView gray, const PictureRowKernels& kernels) {
-  Histogram histogram{};
+  GrayCounts counts;
   const Size side{std::min(block, gray.width), std::min(block, gray.height)};
   std::vector<std::uint8_t> medians(static_cast<std::size_t>(gray.width / side.width));
   for (std::int32_t y = 0; y + side.height <= gray.height; y += side.height) {
     block_medians(gray, y, side, kernels, medians);
-    for (const std::uint8_t median : medians) histogram[median] += side.width * side.height;
+    counts.add(medians.data(), static_cast<std::int32_t>(medians.size()));
   }
-  return histogram;
+  return counts.histogram(std::int64_t{side.width} * side.height);
 }
 
 std::int64_t mass_between(const Histogram& histogram, int from, int to) {
@@ -204,7 +223,11 @@ void copy_gray(GrayView gray, bool negate, Image<std::uint8_t>& out) {
 void understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning,
                         const PictureRowKernels& kernels, Picture& picture) {
   picture.facts() = PictureFacts{};
-  copy_gray(gray, meaning && meaning->negate, picture.gray);
+  picture.gray = picture.stretched = gray;
+  if (meaning && meaning->negate) {
+    copy_gray(gray, true, picture.own_gray);
+    picture.gray = picture.stretched = picture.own_gray;
+  }
   const std::int64_t pixels = std::int64_t{gray.width} * gray.height;
   const Histogram histogram = histogram_of(picture.gray);
   int first_ground = darkest_ground;
@@ -218,14 +241,14 @@ void understand_picture(GrayView gray, PictureKind asked, const std::optional<Ro
   const bool map = asked == PictureKind::map || meaning.has_value() ||
                    (asked == PictureKind::automatic && looks_like_map(histogram, blocks, grounds, pixels));
   picture.kind = map ? PictureKind::map : PictureKind::photo;
-  if (!map) {
-    picture.stretched = picture.gray;
-    return;
-  }
+  if (!map) return;
   const int ground = grounds.empty() ? 255 : grounds.front();
   picture.ground = ground;
   const int black = std::min(darkest_level(histogram, pixels), ground / 2);
-  stretch(picture.gray, {black, std::max(ground - black, 1)}, kernels, picture.stretched);
+  if (black > 0 || ground < 255) {
+    stretch(picture.gray, {black, std::max(ground - black, 1)}, kernels, picture.own_stretched);
+    picture.stretched = picture.own_stretched;
+  }
   picture.clipped = mass_between(histogram, 0, black - 1) + mass_between(histogram, ground + 1, 255) > 0;
   picture.noisy = is_grainy(picture.gray, kernels) || is_speckled(picture.gray, kernels);
   picture.crisp = is_crisp(histogram, black, ground);
@@ -235,7 +258,10 @@ void understand_picture(GrayView gray, PictureKind asked, const std::optional<Ro
 
 Picture understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning) {
   Picture picture;
-  understand_picture(gray, asked, meaning, plain_picture_row_kernels, picture);
+  Image<std::uint8_t> own;
+  copy_gray(gray, false, own);
+  understand_picture(own, asked, meaning, plain_picture_row_kernels, picture);
+  if (picture.gray.data == own.view().data) picture.own_gray = std::move(own);
   return picture;
 }
 

@@ -28,8 +28,16 @@ struct PictureFacts {
 /// least as light as the darkest ground is made white, the darkest level black: then neither the border
 /// of unknown space nor a laser ray drawn into it is an edge, and walls have the same contrast in every map.
 struct Picture : PictureFacts {
-  Image<std::uint8_t> gray;       ///< as given, inverted where the map says `negate`
-  Image<std::uint8_t> stretched;  ///< black = wall, white = ground; a photo as it is
+  GrayView gray;                                ///< as given, inverted where the map says `negate`
+  GrayView stretched;                           ///< black = wall, white = ground; a photo as it is
+  Image<std::uint8_t> own_gray, own_stretched;  ///< memory for what differs from what was given
+
+  Picture() = default;
+  Picture(const Picture&) = delete;
+  Picture& operator=(const Picture&) = delete;
+  Picture(Picture&&) = default;
+  Picture& operator=(Picture&&) = default;
+  ~Picture() = default;
 
   PictureFacts& facts() { return *this; }
 };
@@ -37,9 +45,10 @@ struct Picture : PictureFacts {
 /// A copy, negated or not, in the memory of `out` if it fits.
 void copy_gray(GrayView gray, bool negate, Image<std::uint8_t>& out);
 
+/// Owns all that it shows.
 Picture understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning);
 
-/// The same in the images of `picture`, if they have the right size.
+/// May show pixels of `gray`, which has to live on. Memory that `picture` has is used again.
 void understand_picture(GrayView gray, PictureKind asked, const std::optional<RosMeaning>& meaning,
                         const PictureRowKernels& kernels, Picture& picture);
 

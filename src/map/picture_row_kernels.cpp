@@ -28,15 +28,20 @@ void stretch(const std::uint8_t* __restrict row, std::int32_t width, GrayStretch
   }
 }
 
+/// In bytes, no more pixels at once than can be counted in them.
 void count_grain(const std::uint8_t* row, std::int32_t width, GrainCount& count) noexcept {
-  std::int32_t pairs = 0, same = 0;
-  for (std::int32_t x = 1; x < width; ++x) {
-    const std::int32_t between = (row[x] != 0 ? 1 : 0) & (row[x] != 255 ? 1 : 0);
-    pairs += between;
-    same += between & (row[x] == row[x - 1] ? 1 : 0);
+  constexpr std::int32_t most = 3 * lanes;
+  for (std::int32_t first = 1; first < width; first += most) {
+    const std::int32_t some = width - first < most ? width - first : most;
+    std::uint8_t pairs = 0, same = 0;
+    for (std::int32_t x = first; x < first + some; ++x) {
+      const std::uint8_t between = (row[x] != 0 ? 1 : 0) & (row[x] != 255 ? 1 : 0);
+      pairs = static_cast<std::uint8_t>(pairs + between);
+      same = static_cast<std::uint8_t>(same + (between & (row[x] == row[x - 1] ? 1 : 0)));
+    }
+    count.pairs += pairs;
+    count.same += same;
   }
-  count.pairs += pairs;
-  count.same += same;
 }
 
 inline std::uint8_t darker(std::uint8_t a, std::uint8_t b) noexcept {
@@ -144,6 +149,7 @@ constinit const PictureRowKernels STRAIGHTEDGE_OF_SET(_picture_row_kernels){
     .edge_places = &STRAIGHTEDGE_KERNEL_SET::edge_places,
     .find_inside = &STRAIGHTEDGE_KERNEL_SET::find_inside,
     .sample = &STRAIGHTEDGE_KERNEL_SET::sample,
+    .read_nearest = &STRAIGHTEDGE_KERNEL_SET::read_nearest,
 };
 
 }  // namespace straightedge

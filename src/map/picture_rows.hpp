@@ -92,6 +92,10 @@ struct PictureRowKernels {
 
   /// The gray between the pixels at these steps, bilinear; places beyond the border have the border's.
   void (*sample)(const SampleWay& way, const double* steps, std::int32_t count, double* gray) noexcept;
+
+  /// The pixels in which the places at the steps 0, 1, ... lie, a pixel reaching from its number to the next;
+  /// 255 outside the picture. Less than 2^31 from it.
+  void (*read_nearest)(const SampleWay& way, std::int32_t count, std::uint8_t* gray) noexcept;
 };
 
 extern const PictureRowKernels plain_picture_row_kernels;

@@ -69,4 +69,21 @@ void sample(const SampleWay& way, const double* steps, std::int32_t count, doubl
   }
 }
 
+void read_nearest(const SampleWay& way, std::int32_t count, std::uint8_t* gray) noexcept {
+  for (std::int32_t first = 0; first < count; first += room) {
+    const std::int32_t some = count - first < room ? count - first : room;
+    std::int32_t column[room], row[room];
+    for (std::int32_t i = 0; i < some; ++i) {
+      const double x = way.x + (first + i) * way.step_x + way.aside_x;
+      const double y = way.y + (first + i) * way.step_y + way.aside_y;
+      column[i] = x < 0 ? -1 : static_cast<std::int32_t>(x);
+      row[i] = y < 0 ? -1 : static_cast<std::int32_t>(y);
+    }
+    for (std::int32_t i = 0; i < some; ++i) {
+      const bool inside = column[i] >= 0 && column[i] < way.width && row[i] >= 0 && row[i] < way.height;
+      gray[first + i] = inside ? way.pixels[row[i] * way.stride + column[i]] : std::uint8_t{255};
+    }
+  }
+}
+
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -12,7 +13,8 @@
 namespace straightedge {
 namespace {
 
-constexpr double step = 0.5;
+constexpr double pace = 1;    // along a segment
+constexpr double step = 0.5;  // across it
 constexpr double nearby = 2.0;
 constexpr double end_tolerance = 4;
 // A wall pixel has this share of the darkness that walls of the picture usually have, and need not have more
@@ -45,21 +47,46 @@ double middle_of(const std::array<std::uint32_t, 256>& counts) {
   return -1;
 }
 
+/// The pixels along a line, u to the side of it, at s and every `way` from there on.
+class PixelReader {
+ public:
+  PixelReader(GrayView gray, const PictureRowKernels& kernels) : gray_(gray), kernels_(kernels) {}
+
+  const std::vector<std::uint8_t>& read(const WallLine& line, double s, double way, double u) {
+    const SampleWay stretch{.pixels = gray_.data,
+                            .stride = gray_.stride,
+                            .width = gray_.width,
+                            .height = gray_.height,
+                            .x = line.x_at(s) + 0.5,
+                            .y = line.y_at(s) + 0.5,
+                            .step_x = way * line.tx(),
+                            .step_y = way * line.ty(),
+                            .aside_x = u * line.nx,
+                            .aside_y = u * line.ny};
+    const double steps = (line.end - s) / way;
+    pixels_.resize(steps > 0 ? static_cast<std::size_t>(std::ceil(steps)) : 0);
+    kernels_.read_nearest(stretch, static_cast<std::int32_t>(pixels_.size()), pixels_.data());
+    return pixels_;
+  }
+
+ private:
+  GrayView gray_;
+  const PictureRowKernels& kernels_;
+  std::vector<std::uint8_t> pixels_;
+};
+
 /// Step 1.
-int dark_from(const std::vector<WallLine>& lines, const Picture& picture, double share) {
-  const GrayView gray = picture.stretched;
+int dark_from(const std::vector<WallLine>& lines, const Picture& picture, double share, PixelReader& pixels) {
   std::array<std::uint32_t, 256> cores{};
+  std::vector<std::uint8_t> lightest;
   for (const WallLine& line : lines) {
-    for (double s = line.begin + 1; s < line.end; s += 2) {
-      const double x0 = line.x_at(s) + 0.5, y0 = line.y_at(s) + 0.5;
-      std::uint8_t lightest = 255;
-      for (double u = line.axis ? -1 : -2.5; u <= (line.axis ? 1 : -1); u += step) {
-        const auto x = static_cast<std::int32_t>(x0 + u * line.nx);
-        const auto y = static_cast<std::int32_t>(y0 + u * line.ny);
-        if (gray.contains(x, y)) lightest = std::min(lightest, gray.at(x, y));
-      }
-      ++cores[std::size_t{255} - lightest];
+    lightest.clear();
+    for (double u = line.axis ? -1 : -2.5; u <= (line.axis ? 1 : -1); u += step) {
+      const std::vector<std::uint8_t>& aside = pixels.read(line, line.begin + 1, 8, u);
+      lightest.resize(aside.size(), 255);
+      for (std::size_t i = 0; i < aside.size(); ++i) lightest[i] = std::min(lightest[i], aside[i]);
     }
+    for (const std::uint8_t gray : lightest) ++cores[std::size_t{255} - gray];
   }
   const double usual = middle_of(cores);
   if (usual < 0) return 1;
@@ -113,8 +140,32 @@ class SolidAreas {
            (y + 1 < gray_.height && makes_pair(darkness(x, y + 1)));
   }
 
+  /// How many dark pixels hang together from here on, in one direction; as many as are asked for will do.
+  double dark_run(Pixel at, std::int32_t dx, std::int32_t dy, double enough) const {
+    double run = 0;
+    while (run < enough && gray_.contains(at.x, at.y) && darkness(at.x, at.y) >= from_) {
+      ++run;
+      at = {at.x + dx, at.y + dy};
+    }
+    return run;
+  }
+
+  /// A shortcut: most walls are as long as that in some direction.
+  bool is_long(Pixel seed) const {
+    constexpr std::array<Pixel, 4> directions{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
+    return std::any_of(directions.begin(), directions.end(), [&](Pixel d) {
+      const double run = dark_run(seed, d.x, d.y, min_piece_);
+      return run > 0 && run + dark_run(seed, -d.x, -d.y, min_piece_) - 1 >= min_piece_;
+    });
+  }
+
   /// Flood fill with a list in place of recursion, until the area is too large for a crumb.
   void grow(Pixel seed) {
+    if (is_long(seed)) {
+      known_.at(seed.x, seed.y) = solid;
+      marked_.push_back(seed);
+      return;
+    }
     Square square{seed.x, seed.x, seed.y, seed.y};
     bool large = min_piece_ <= 1;
     area_.assign(1, seed);
@@ -152,33 +203,39 @@ class SolidAreas {
   Pixel last_{-2, -2};  ///< that was solid
 };
 
-/// Outwards from where it is likeliest: the first place tells, mostly.
-bool wall_near(SolidAreas& solid, const WallLine& line, double s) {
-  const double x0 = line.x_at(s) + 0.5, y0 = line.y_at(s) + 0.5;
-  const auto is_wall = [&](double u) {
-    const auto x = static_cast<std::int32_t>(x0 + u * line.nx);
-    const auto y = static_cast<std::int32_t>(y0 + u * line.ny);
-    return solid.contain(x, y);
-  };
-  const double middle = line.axis ? 0 : -1;
+bool is_wall(SolidAreas& solid, const WallLine& line, double s, double u) {
+  const double x = line.x_at(s) + 0.5 + u * line.nx, y = line.y_at(s) + 0.5 + u * line.ny;
+  return solid.contain(static_cast<std::int32_t>(std::floor(x)), static_cast<std::int32_t>(std::floor(y)));
+}
+
+/// Outwards from the middle.
+bool wall_near(SolidAreas& solid, const WallLine& line, double s, double middle) {
   const double back = line.axis ? -nearby : -nearby - 0.5;
   for (double u = middle; u >= back; u -= step)
-    if (is_wall(u)) return true;
+    if (is_wall(solid, line, s, u)) return true;
   for (double u = middle + step; u <= nearby; u += step)
-    if (is_wall(u)) return true;
+    if (is_wall(solid, line, s, u)) return true;
   return false;
 }
 
-/// Step 3.
-std::vector<Run> runs_of(SolidAreas& solid, const WallLine& line) {
+/// Step 3. Where the pixel in the middle is dark and the one before it was wall, it is wall, too: it is the
+/// same or touches it.
+std::vector<Run> runs_of(SolidAreas& solid, int from, const WallLine& line, PixelReader& pixels) {
   std::vector<Run> runs;
-  for (double s = line.begin + 0.5 * step; s < line.end; s += step) {
-    if (!wall_near(solid, line, s)) continue;
-    if (!runs.empty() && s - 0.5 * step - runs.back().end < 0.25 * step) {
-      runs.back().end = s + 0.5 * step;
-    } else {
-      runs.push_back({s - 0.5 * step, s + 0.5 * step});
+  const double middle = line.axis ? 0 : -1, first = line.begin + 0.5 * pace;
+  const std::vector<std::uint8_t>& grays = pixels.read(line, first, pace, middle);
+  bool was_wall = false, was_core = false;
+  for (std::size_t i = 0; i < grays.size(); ++i) {
+    const double s = first + pace * static_cast<double>(i);
+    const bool core = 255 - grays[i] >= from && (was_core || is_wall(solid, line, s, middle));
+    const bool wall = core || wall_near(solid, line, s, middle);
+    if (wall && was_wall) {
+      runs.back().end = s + 0.5 * pace;
+    } else if (wall) {
+      runs.push_back({s - 0.5 * pace, s + 0.5 * pace});
     }
+    was_core = core;
+    was_wall = wall;
   }
   return runs;
 }
@@ -192,12 +249,14 @@ bool is_chance(const WallLine& line) {
 }  // namespace
 
 std::vector<WallLine> keep_supported(const std::vector<WallLine>& lines, const Picture& picture,
-                                     const SupportOptions& options, Image<std::uint8_t>& marks) {
+                                     const SupportOptions& options, Image<std::uint8_t>& marks,
+                                     const PictureRowKernels& kernels) {
   std::vector<WallLine> out;
-  const int from = dark_from(lines, picture, picture.noisy ? noisy_dark_share : dark_share);
+  PixelReader pixels(picture.stretched, kernels);
+  const int from = dark_from(lines, picture, picture.noisy ? noisy_dark_share : dark_share, pixels);
   SolidAreas solid(picture.stretched, from, picture.noisy ? noisy_min_piece : options.min_piece, marks);
   for (const WallLine& line : lines) {
-    const std::vector<Run> runs = runs_of(solid, line);
+    const std::vector<Run> runs = runs_of(solid, from, line, pixels);
     for (std::size_t i = 0; i < runs.size();) {
       double covered = runs[i].length();
       std::size_t last = i;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "map/picture.hpp"
+#include "map/picture_rows.hpp"
 #include "map/wall_line.hpp"
 
 namespace straightedge {
@@ -27,6 +28,7 @@ struct SupportOptions {
 /// Segments of which too little is supported are left out.
 /// `marks` is memory that may be kept from one picture to the next.
 std::vector<WallLine> keep_supported(const std::vector<WallLine>& lines, const Picture& picture,
-                                     const SupportOptions& options, Image<std::uint8_t>& marks);
+                                     const SupportOptions& options, Image<std::uint8_t>& marks,
+                                     const PictureRowKernels& kernels = plain_picture_row_kernels);
 
 }  // namespace straightedge

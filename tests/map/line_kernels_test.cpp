@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -104,6 +105,42 @@ TEST_CASE("every set of kernels samples gray as one place after the other") {
         REQUIRE(gray[i] == sample(view, way.x + steps[i] * way.step_x + way.aside_x,
                                   way.y + steps[i] * way.step_y + way.aside_y));
       CHECK(gray.back() == -1);
+    }
+  }
+}
+
+TEST_CASE("every set of kernels reads the pixels that places lie in") {
+  Pcg32 random(14);
+  for (std::int32_t round = 0; round < 200; ++round) {
+    CAPTURE(round);
+    const Size size{static_cast<std::int32_t>(1 + random.below(40)),
+                    static_cast<std::int32_t>(1 + random.below(40))};
+    Image<std::uint8_t> picture(size);
+    for (std::int32_t y = 0; y < size.height; ++y)
+      for (std::int32_t x = 0; x < size.width; ++x)
+        picture.at(x, y) = static_cast<std::uint8_t>(random.below(255));
+    const GrayView view = picture;
+    const SampleWay way{.pixels = view.data,
+                        .stride = view.stride,
+                        .width = size.width,
+                        .height = size.height,
+                        .x = between(random, -5, size.width + 5),
+                        .y = between(random, -5, size.height + 5),
+                        .step_x = between(random, -1, 1),
+                        .step_y = round % 5 == 0 ? 0 : between(random, -1, 1),
+                        .aside_x = between(random, -3, 3),
+                        .aside_y = between(random, -3, 3)};
+    for (const KernelSet& set : kernel_sets()) {
+      CAPTURE(set.name);
+      std::vector<std::uint8_t> gray(static_cast<std::size_t>(round) + 1, 7);
+      set.picture_rows->read_nearest(way, round, gray.data());
+      for (std::int32_t i = 0; i < round; ++i) {
+        const auto x = static_cast<std::int32_t>(std::floor(way.x + i * way.step_x + way.aside_x));
+        const auto y = static_cast<std::int32_t>(std::floor(way.y + i * way.step_y + way.aside_y));
+        const int expected = view.contains(x, y) ? view.at(x, y) : 255;
+        REQUIRE(int{gray[static_cast<std::size_t>(i)]} == expected);
+      }
+      CHECK(gray.back() == 7);
     }
   }
 }

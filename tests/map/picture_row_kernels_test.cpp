@@ -33,7 +33,7 @@ Row random_row(Pcg32& random, std::int32_t width) {
 
 TEST_CASE("the kernels that understand pictures give the same numbers in every set, and the right ones") {
   Pcg32 random(7);
-  for (std::int32_t width = 1; width <= 200; ++width) {
+  for (std::int32_t width = 1; width <= 420; width += width < 200 ? 1 : 11) {
     CAPTURE(width);
     const std::array<Row, 4> rows{random_row(random, width), random_row(random, width),
                                   random_row(random, width), random_row(random, width)};
@@ -45,7 +45,11 @@ TEST_CASE("the kernels that understand pictures give the same numbers in every s
       stretched.push_back(static_cast<std::uint8_t>(v < rule.black ? 0 : std::clamp(n, 0, 255)));
     }
     GrainCount grain;
-    plain_picture_row_kernels.count_grain(rows[0].data(), width, grain);
+    for (std::size_t x = 1; x < rows[0].size(); ++x) {
+      const bool between = rows[0][x] != 0 && rows[0][x] != 255;
+      grain.pairs += between ? 1 : 0;
+      grain.same += between && rows[0][x] == rows[0][x - 1] ? 1 : 0;
+    }
     const bool any = plain_picture_row_kernels.find_lone(rows[0].data(), rows[1].data(), rows[2].data(),
                                                          width, 80, lone.data());
     for (const KernelSet& set : kernel_sets()) {

@@ -16,8 +16,7 @@ namespace support {
 /// A picture's edge pixels and the gradient that Canny found them by.
 class EdgeScene {
  public:
-  explicit EdgeScene(const straightedge::Image<std::uint8_t>& picture,
-                     const straightedge::CannyOptions& options = {})
+  explicit EdgeScene(straightedge::GrayView picture, const straightedge::CannyOptions& options = {})
       : mask(picture.size()) {
     const std::size_t bytes = straightedge::Canny::workspace_bytes(picture.size(), options);
     workspace_ = std::make_unique<std::byte[]>(bytes);
