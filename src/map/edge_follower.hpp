@@ -20,7 +20,7 @@ namespace straightedge {
 struct FollowOptions {
   double min_length = 9;                 ///< pixels; shorter edges are none
   double max_gap = 8;                    ///< pixels; a longer hole ends an edge
-  std::size_t places = 64;               ///< of an edge that are found between the pixels, about
+  std::size_t places = 48;               ///< of an edge that are found between the pixels, at most; up to 128
   GradientNorm norm = GradientNorm::l1;  ///< of the field's gradient, where it has no magnitude
 };
 
