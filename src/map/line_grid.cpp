@@ -9,11 +9,11 @@
 namespace straightedge {
 namespace {
 
-constexpr double side = 32;
+constexpr double side = 64;
 // Cells; no picture is larger. What lies outside counts as in the outermost cells: neighbours stay
 // neighbours.
-constexpr double before_first = -16;
-constexpr double behind_last = 1040;
+constexpr double before_first = -8;
+constexpr double behind_last = 520;
 
 /// Rounded down.
 std::int32_t cell_at(double position) {

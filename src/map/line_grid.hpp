@@ -11,7 +11,7 @@
 
 namespace straightedge {
 
-/// Which lines come near one another, without comparing each with each: squares of `cell` pixels, and in each
+/// Which lines come near one another, without comparing each with each: squares of 64 pixels, and in each
 /// the lines that pass through it.
 class LineGrid {
  public:
