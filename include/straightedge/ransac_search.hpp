@@ -52,6 +52,9 @@ struct RansacSearchResult {
 ///      among what is left: those refused first, at most two for each of max_candidates.
 ///   6. Sorted by score.
 ///
+/// A strip in which no two whole cells of the smallest size lie side by side is no plane here: with cells of
+/// 4 pixels those below 8, and some below 11.
+///
 /// Papers: ransac_planes.hpp. Deterministic: window i draws from stream i of the seed; all sums have a fixed
 /// order, the same for every table of kernels.
 ///

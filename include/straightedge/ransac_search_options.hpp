@@ -14,8 +14,8 @@ namespace straightedge {
 /// A number that is NaN or outside its range gives `invalid_option`.
 struct RansacSearchOptions {
   PlaneGate gate = {};
-  std::int32_t cell = 4;             ///< side of the smallest cells that are looked at, pixels: 4, 8 or 16
-  std::int32_t min_pixels = 480;     ///< of a plane, >= 1
+  std::int32_t cell = 4;          ///< side of the smallest cells that are looked at, pixels: 4, 8 or 16
+  std::int32_t min_pixels = 480;  ///< half of the smallest plane's, >= 1: of thin ones few are in whole cells
   std::int32_t max_candidates = 64;  ///< [1, 65535]
   double max_rms = 0.5;         ///< residual of a smooth plane's cells, gates of means, (0, 1]; see step 4
   double rough_rms = 1;         ///< of a rough plane's, [0, 1]; 0: smooth planes alone

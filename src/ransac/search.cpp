@@ -189,7 +189,7 @@ void search_window(Search& s, const Place& place) noexcept {
   }
 }
 
-/// Of the windows along so many cells.
+/// Of the windows along so many cells, in steps from here to the border: the last window may be half beyond.
 constexpr std::int32_t first_middle(std::int32_t cells) noexcept {
   return cells > window_step ? window_step / 2 : cells / 2;
 }
@@ -201,8 +201,8 @@ void search_windows(Search& s, const Lattice& l) noexcept {
   // Windows smaller than the smallest plane find nothing that larger ones do not.
   if (cells < least) return;
   for (std::uint8_t& aside : l.cells.aside) aside = 0;
-  for (std::int32_t row = first_middle(l.rows); row < l.rows; row += window_step)
-    for (std::int32_t column = first_middle(l.columns); column < l.columns; column += window_step)
+  for (std::int32_t row = first_middle(l.rows); row <= l.rows; row += window_step)
+    for (std::int32_t column = first_middle(l.columns); column <= l.columns; column += window_step)
       if (l.cells.aside[l.at(column, row)] == 0) search_window(s, {l, column, row, least});
 }
 
