@@ -25,7 +25,8 @@ struct ExtentOptions {
 /// 3. Runs of wall across short holes are one piece. A blocked stretch ends a face, for the face is not
 ///    there; an axis goes on through a wall that is thin.
 /// 4. Every piece that the line's own edge pixels reach is a segment; its ends are where the gray crosses the
-///    half, so neither blur nor the pixel grid moves them.
+///    half, so neither blur nor the pixel grid moves them. A piece more than twice as long as the edge goes on
+///    along another one, round a bend: it ends where the edge does.
 /// `blurred` is the picture as Canny saw it, after its blur. Lines whose dark side is no wall by the map's
 /// thresholds are left out.
 std::vector<WallLine> measure_extents(const std::vector<WallLine>& lines, const Picture& picture,
