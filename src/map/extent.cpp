@@ -26,11 +26,11 @@ constexpr double short_block = 3;  // a face goes on behind a block no longer th
 enum class State : unsigned char { wall, hole, blocked };
 
 struct Track {
-  double first = 0;                 // along the line
+  std::vector<double> places;       // along the line
   std::vector<double> dark, light;  // gray of the wall's side and of the floor's
   double half = 0, scale = 0;       // between the two, and 1 / their difference
   std::vector<State> state;
-  double at(std::size_t i) const { return first + pace * static_cast<double>(i); }
+  double at(std::size_t i) const { return places[i]; }
 };
 
 /// Places along the line, `way` from one to the next.
@@ -55,16 +55,14 @@ void read_sides(const WallLine& line, const LineSampler& blurred, std::span<cons
   blurred.along(line, places, 0, dark.data());
 }
 
-Track sample_track(const WallLine& line, const LineSampler& blurred) {
-  Track track;
-  track.first = line.begin - search;
+void sample_track(const WallLine& line, const LineSampler& blurred, Track& track) {
   const auto count = static_cast<std::size_t>((line.length() + 2 * search) / pace) + 1;
-  std::vector<double> places(count);
-  for (std::size_t i = 0; i < count; ++i) places[i] = track.at(i);
+  track.places.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    track.places[i] = line.begin - search + pace * static_cast<double>(i);
   track.dark.resize(count);
   track.light.resize(count);
-  read_sides(line, blurred, places, track.dark, track.light);
-  return track;
+  read_sides(line, blurred, track.places, track.dark, track.light);
 }
 
 /// Step 2. Beside the line itself both sides are what they usually are.
@@ -75,7 +73,7 @@ void judge(Track& track) {
   const double light = median({track.light.begin() + from, track.light.begin() + to});
   track.half = 0.5 * (dark + light);
   track.scale = light > dark ? 1 / (light - dark) : 0;
-  track.state.reserve(track.dark.size());
+  track.state.clear();
   for (std::size_t i = 0; i < track.dark.size(); ++i) {
     const bool is_dark = (track.half - track.dark[i]) * track.scale > 0;
     const bool is_light = (track.light[i] - track.half) * track.scale > 0;
@@ -218,8 +216,9 @@ std::vector<WallLine> measure_extents(const std::vector<WallLine>& lines, const 
                                       const PictureRowKernels& kernels) {
   const LineSampler soft(blurred, kernels), gray(picture.gray, kernels);
   std::vector<WallLine> out;
+  Track track;
   for (const WallLine& line : lines) {
-    Track track = sample_track(line, soft);
+    sample_track(line, soft, track);
     judge(track);
     for (const Piece& piece : pieces_of(line, track, options)) {
       WallLine part = line;
