@@ -23,9 +23,10 @@ constexpr double cos_inside = 0.906307787036650;                    // 25 degree
 // Steps to each side before the first fit. Later ones go on for a share of the pixels that the line is known
 // by: where it has just moved over by a pixel, it is not known better.
 constexpr std::int32_t first_steps = 5, trust = 3;
-constexpr std::int32_t most_in_step = 12;  // pixels beside a line that is not too steep
-constexpr double min_density = 0.6;        // edge pixels a pixel of length: a diagonal has 0.7
-constexpr double max_residual = 0.4;       // pixels
+constexpr std::int64_t few_on_one_side = 3;  // of the first pixels: most seeds beside edges go no further
+constexpr std::int32_t most_in_step = 12;    // pixels beside a line that is not too steep
+constexpr double min_density = 0.6;          // edge pixels a pixel of length: a diagonal has 0.7
+constexpr double max_residual = 0.4;         // pixels
 constexpr double max_slope = 1.7;  // from step to step; steeper ones have turned too far from the seed
 
 // Numbers with a fraction of sixteen bits.
@@ -90,8 +91,8 @@ void EdgeFollower::start(std::int32_t x, std::int32_t y) {
 }
 
 /// Step 2.
+template <bool steep>
 void EdgeFollower::walk(Way& way, std::int32_t steps) {
-  const bool steep = steep_;
   const EdgeBits& edges = *edges_;
   const ImageView<const std::int16_t> field_x = field_.x, field_y = field_.y;
   const Pixel seed = seed_;
@@ -247,8 +248,10 @@ bool EdgeFollower::follow(std::int32_t x, std::int32_t y, double min_length, Wal
   std::int32_t steps = first_steps;
   const double few = 2 * min_density * first_steps;
   while (ways_[0].going || ways_[1].going) {
-    for (Way& way : ways_)
-      if (way.going) walk(way, steps);
+    for (Way& way : ways_) {
+      if (way.going) steep_ ? walk<true>(way, steps) : walk<false>(way, steps);
+      if (sums_.count < few_on_one_side) return false;
+    }
     if (static_cast<double>(sums_.count) < few || !lay_line()) return false;
     steps = std::max(2 * first_steps, static_cast<std::int32_t>(sums_.count / trust));
   }

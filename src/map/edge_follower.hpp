@@ -74,6 +74,7 @@ class EdgeFollower {
 
   bool follow(std::int32_t x, std::int32_t y, double min_length, WallLine& line);
   void start(std::int32_t x, std::int32_t y);
+  template <bool steep>
   void walk(Way& way, std::int32_t steps);
   bool lay_line();
   bool is_edge(double min_length) const;
