@@ -36,7 +36,7 @@ template <std::size_t Words>
 bool are_even(const std::uint8_t* pixels) {
   std::array<std::uint64_t, Words> words;
   std::memcpy(words.data(), pixels, sizeof words);
-  const std::uint64_t first = 0x0101010101010101 * pixels[0];
+  const std::uint64_t first = 0x0101010101010101U * pixels[0];
   std::uint64_t other = 0;
   for (const std::uint64_t word : words) other |= word ^ first;
   return other == 0;
