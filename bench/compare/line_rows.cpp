@@ -163,7 +163,8 @@ void print_line_rows(Size size, int rounds) {
   print_equal_rows(size, rounds);
   print_window_rows(size, rounds);
   print_map_rows("picture to line map, floor plan", {}, size, rounds);
-  print_map_rows("picture to line map, edges followed, floor plan", {.follow = true}, size, rounds);
+  print_map_rows("picture to line map, by the Hough transform, floor plan", {.hough = line_map_hough}, size,
+                 rounds);
   print_map_rows("picture to line map without refinement, floor plan", {.refine = false}, size, rounds);
 }
 

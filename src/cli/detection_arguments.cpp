@@ -25,9 +25,8 @@ void DetectionArguments::add_to(CLI::App& command) {
        {"standard", HoughMethod::standard},
        {"progressive", HoughMethod::progressive},
        {"randomized", HoughMethod::randomized}},
-      "straight edges are followed from pixel to pixel, in little more than half the time; or a Hough "
-      "transform "
-      "finds them: every pixel votes; random pixels vote until a line stands out; random pairs vote");
+      "how straight edges are found: each followed from pixel to pixel; or by a Hough transform, where every "
+      "pixel votes, random pixels vote until a line stands out, or random pairs vote");
   add_the_rest(command);
 }
 
@@ -51,10 +50,11 @@ void DetectionArguments::add_the_rest(CLI::App& command) {
            "thinner walls become one axis, thicker ones keep both faces");
   add_real(command, "--furniture-size", o.furniture_size, {0, 1e6}, "PX",
            "things that stand alone and are no larger are dropped");
-  add_degrees(command, "--window", o.hough.gradient_window, {0, 180},
-              "a pixel votes for lines within this angle of its own direction, 0 = for all");
-  add_whole(command, "--threshold", o.hough.threshold, {1, 2147483647}, "VOTES",
-            "of edge pixels that make a line");
+  for_votes = {
+      add_degrees(command, "--window", hough.gradient_window, {0, 180},
+                  "Hough: a pixel votes for lines within this angle of its own direction, 0 = for all"),
+      add_whole(command, "--threshold", hough.threshold, {1, 2147483647}, "VOTES",
+                "Hough: of edge pixels that make a line")};
   canny.add_to(command);
 }
 
@@ -63,21 +63,37 @@ Result<LineMapOptions> DetectionArguments::options(std::uint64_t seed) const {
   if (!edges) return edges.failure();
   LineMapOptions options = given;
   options.canny = *edges;
-  options.hough.seed = seed;
-  options.follow = !method;
-  if (method) options.hough.method = *method;
+  if (method) {
+    options.hough = hough;
+    options.hough->method = *method;
+    options.hough->seed = seed;
+    return options;
+  }
+  for (const CLI::Option* option : for_votes) {
+    if (option->count() == 0) continue;
+    return Failure{Problem::bad_option,
+                   option->get_name() +
+                       " is not for --method follow, but for a Hough transform such as --method progressive"};
+  }
   return options;
+}
+
+std::string method_of(const LineMapOptions& options) {
+  return options.hough ? name_of(options.hough->method) : "follow";
 }
 
 std::string words_of(const LineMapOptions& o) {
   const auto number = [](const char* name, auto value) {
     return std::string(", ") + name + " " + io::to_text(value);
   };
-  return "method " + (o.follow ? "follow" : name_of(o.hough.method)) + ", seed " + io::to_text(o.hough.seed) +
-         ", picture " + name_of(o.picture) + number("min-length", o.min_length) +
+  std::string words = "method " + method_of(o);
+  if (o.hough) {
+    words += number("seed", o.hough->seed) + number("window", o.hough->gradient_window * (180 / pi)) +
+             " degrees" + number("threshold", o.hough->threshold);
+  }
+  return words + ", picture " + name_of(o.picture) + number("min-length", o.min_length) +
          number("max-gap", o.max_gap) + number("max-wall-width", o.max_wall_width) +
-         number("furniture-size", o.furniture_size) + number("window", o.hough.gradient_window * (180 / pi)) +
-         " degrees" + number("threshold", o.hough.threshold) + ", " + words_of(o.canny);
+         number("furniture-size", o.furniture_size) + ", " + words_of(o.canny);
 }
 
 }  // namespace straightedge::cli

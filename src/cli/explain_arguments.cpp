@@ -63,11 +63,10 @@ Result<LineMapOptions> ExplainArguments::line_options() const {
   if (auto fine = refuse(for_depth_, input, not_for_pictures); !fine) return fine.failure();
   DetectionArguments detection = detection_;
   switch (method_) {
-    case Method::automatic:
-      break;
     case Method::standard:
       detection.set_method(HoughMethod::standard);
       break;
+    case Method::automatic:  // votes are what there is to see
     case Method::progressive:
       detection.set_method(HoughMethod::progressive);
       break;

@@ -63,7 +63,7 @@ Result<Done> explain_lines(const ExplainArguments& arguments, const MapSource& s
   if (!options) return options.failure();
   options->meaning = source.meaning;
   const std::size_t work = Canny::workspace_bytes(gray->size(), options->canny) +
-                           HoughLines::workspace_bytes(gray->size(), options->hough);
+                           HoughLines::workspace_bytes(gray->size(), *options->hough);
   if (auto fits = check_memory(source.picture, work + 40 * pixels_of(gray->size())); !fits) return fits;
   {
     const Progress progress(source.picture.string() + ": explaining", arguments.common.quiet);

@@ -85,6 +85,7 @@ Status count_votes(HoughOptions options, ExplainRun& run) {
 }  // namespace
 
 Result<ExplainRun> run_stages(GrayView gray, const LineMapOptions& options) {
+  if (!options.hough) return Failure{Problem::bad_option, "only the Hough transform can be explained"};
   // The line map first: it checks the picture and every option.
   auto lines = build_line_map(gray, options);
   if (!lines) return lines.failure();

@@ -41,7 +41,7 @@ struct ExplainRun {
 /// How many peaks are shown.
 inline constexpr std::size_t shown_peaks = 10;
 
-/// Runs all stages. Fails as build_line_map does.
+/// Runs all stages. Fails as build_line_map does, and with `bad_option` without `hough`.
 Result<ExplainRun> run_stages(GrayView gray, const LineMapOptions& options);
 
 }  // namespace straightedge::cli

@@ -98,6 +98,7 @@ Result<Done> LinesArguments::check() const {
 
 Result<LineMapOptions> LinesArguments::options() const {
   if (auto fine = check(); !fine) return fine.failure();
+  if (fast && detection.votes()) return Failure{Problem::bad_option, "--fast is for --method follow alone"};
   auto options = detection.options(common.seed);
   if (options) options->refine = !fast;
   return options;

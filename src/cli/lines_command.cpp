@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "cli/created_time.hpp"
-#include "cli/hough_arguments.hpp"
 #include "cli/lines_arguments.hpp"
 #include "cli/lines_report.hpp"
 #include "cli/map_source.hpp"
@@ -39,7 +38,7 @@ Result<LineMapResult> build(const fs::path& file, GrayView gray, const LineMapOp
                             bool quiet) {
   const std::size_t pixels = static_cast<std::size_t>(gray.width) * static_cast<std::size_t>(gray.height);
   const std::size_t edges = Canny::workspace_bytes(gray.size(), options.canny);
-  const std::size_t hough = HoughLines::workspace_bytes(gray.size(), options.hough);
+  const std::size_t hough = options.hough ? HoughLines::workspace_bytes(gray.size(), *options.hough) : 0;
   if (auto fits = check_memory(file, edges + hough + 8 * pixels); !fits) return fits.failure();
   const Progress progress(file.string() + ": making the line map", quiet);
   const auto kernels = kernels_from_environment();
@@ -89,29 +88,28 @@ std::string json_of(const LineMapResult& built, const LinesArguments& arguments,
                     const LineMapOptions& options) {
   const LineMapReport& report = built.report;
   const Size size = built.map.image ? built.map.image->size : Size{};
-  const nlohmann::ordered_json numbers = {
-      {"program", version_text()},
-      {"command", "lines"},
-      {"input", base_name(input_path(arguments.input))},
-      {"width", size.width},
-      {"height", size.height},
-      {"options", built.map.meta.options},
-      {"method", options.follow ? "follow" : name_of(options.hough.method)},
-      {"seed", options.hough.seed},
-      {"picture", kind_of(report)},
-      {"low", report.canny.low},
-      {"high", report.canny.high},
-      {"edge_pixels", report.canny.edges},
-      {"rounds", report.rounds},
-      {"candidates", report.candidates},
-      {"straight_edges", report.edges},
-      {"thin_walls", report.walls},
-      {"merged", report.merged},
-      {"dropped_no_wall", report.no_wall},
-      {"dropped_furniture", report.furniture},
-      {"dropped_too_short", report.too_short},
-      {"lines", report.lines},
-      {"segments", report.segments}};
+  const nlohmann::ordered_json numbers = {{"program", version_text()},
+                                          {"command", "lines"},
+                                          {"input", base_name(input_path(arguments.input))},
+                                          {"width", size.width},
+                                          {"height", size.height},
+                                          {"options", built.map.meta.options},
+                                          {"method", method_of(options)},
+                                          {"seed", arguments.common.seed},
+                                          {"picture", kind_of(report)},
+                                          {"low", report.canny.low},
+                                          {"high", report.canny.high},
+                                          {"edge_pixels", report.canny.edges},
+                                          {"rounds", report.rounds},
+                                          {"candidates", report.candidates},
+                                          {"straight_edges", report.edges},
+                                          {"thin_walls", report.walls},
+                                          {"merged", report.merged},
+                                          {"dropped_no_wall", report.no_wall},
+                                          {"dropped_furniture", report.furniture},
+                                          {"dropped_too_short", report.too_short},
+                                          {"lines", report.lines},
+                                          {"segments", report.segments}};
   return numbers.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -154,7 +152,7 @@ Command add_lines_command(CLI::App& program) {
   const auto arguments = std::make_shared<LinesArguments>();
   CLI::App& command = *program.add_subcommand(
       "lines",
-      "The whole way from a picture to its line map: edges, Hough transform, sub-pixel refinement, merging.\n"
+      "The whole way from a picture to its line map: edges, straight edges, sub-pixel refinement, merging.\n"
       "Angles are degrees here and radians in the files");
   arguments->add_to(command);
   add_common_options(command, arguments->common,

@@ -47,6 +47,21 @@ Failure failure_of(const char* stage, Status status) {
   return {option ? Problem::bad_option : Problem::internal, std::string(stage) + ": " + to_string(status)};
 }
 
+std::optional<Failure> refuse(GrayView gray, const LineMapOptions& options) {
+  constexpr std::int32_t longest_side = 32767;  // pixels, however straight edges are found
+  if (!gray.valid()) return Failure{Problem::bad_content, "the picture has no pixels"};
+  if (!valid(options) || (options.meaning && !valid(*options.meaning)))
+    return failure_of("the line map's options", Status::invalid_option);
+  if (gray.width > longest_side || gray.height > longest_side)
+    return failure_of("the line map", Status::too_large);
+  if (!options.hough) return {};
+  if (!options.refine)
+    return Failure{Problem::bad_option, "without refinement there is no Hough transform; leave hough out"};
+  const Status may = hough_grid(gray.size(), first_round(options)).status;
+  if (may != Status::ok) return failure_of("the Hough transform", may);
+  return {};
+}
+
 struct Edges {
   EdgePlanes planes;
   Image<std::int32_t> sharpness;  ///< magnitude of the picture as given, where that is another one
@@ -182,11 +197,7 @@ Result<LineMapResult> LineMapBuilder::build_coarse(GrayView gray) {
 
 Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   const LineMapOptions& options = options_;
-  if (!gray.valid()) return Failure{Problem::bad_content, "the picture has no pixels"};
-  if (!valid(options) || (options.meaning && !valid(*options.meaning)))
-    return failure_of("the line map's options", Status::invalid_option);
-  const Status may = hough_grid(gray.size(), first_round(options)).status;
-  if (may != Status::ok) return failure_of("the Hough transform", may);
+  if (auto failure = refuse(gray, options)) return *failure;
   if (!options.refine) return build_coarse(gray);
   LineMapResult out;
   LineMapReport& report = out.report;
@@ -201,14 +212,14 @@ Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   report.canny = edges.planes.result;
   // Step 3: straight edges, each with pixels of its own.
   std::vector<WallLine> lines;
-  if (options.follow) {
-    edges.planes.to_bits(room_->bits);
-    lines = room_->follower.run(room_->bits, edges.field(), follow_options(options), *kernels_.picture_rows);
-    report.candidates = report.edges = static_cast<std::uint32_t>(lines.size());
-  } else {
+  if (options.hough) {
     status = find_edges(edges.planes.to_pixels(), edges.field(), options, kernels_, room_->candidates, lines,
                         report);
     if (status != Status::ok) return failure_of("the Hough transform", status);
+  } else {
+    edges.planes.to_bits(room_->bits);
+    lines = room_->follower.run(room_->bits, edges.field(), follow_options(options), *kernels_.picture_rows);
+    report.candidates = report.edges = static_cast<std::uint32_t>(lines.size());
   }
   // Steps 4 to 6: thin walls become axes, ends are measured, what is no wall goes.
   const bool map = picture.kind == PictureKind::map;

@@ -73,6 +73,9 @@ TEST_CASE("options that contradict each other or the input") {
   refused({"edges", "--auto-thresholds", "--low", "20"}, "--auto-thresholds");
   refused({"lines", "--origin", "1,2,3"}, "--origin needs --resolution");
   refused({"lines", "--metres"}, "--metres needs --resolution");
+  refused({"lines", "--threshold", "20"}, "--threshold is not for --method follow");
+  refused({"lines", "--window", "20", "--method", "follow"}, "--window is not for --method follow");
+  refused({"lines", "--fast", "--method", "progressive"}, "--fast is for --method follow alone");
   refused({"hough", "--method", "standard", "--min-theta", "2", "--max-theta", "1"}, "--min-theta");
   refused({"hough", "--method", "standard", "--min-length", "20"},
           "--min-length is not for --method standard");

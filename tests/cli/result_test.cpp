@@ -65,8 +65,7 @@ TEST_CASE("files say what made them") {
   const auto map = read_line_map(folder / "m.xml");
   REQUIRE(map);
   CHECK(map->meta.tool == "straightedge " STRAIGHTEDGE_VERSION);
-  CHECK(map->meta.options.find("seed 7") != std::string::npos);
-  CHECK(map->meta.options.find("method progressive") != std::string::npos);
+  CHECK(map->meta.options.starts_with("method follow, picture auto, min-length 9, "));
   CHECK(map->meta.created.empty());
   CHECK(map->image->file == "basic_map.png");
   for (const char* name : {"m.svg", "m.png"}) {
@@ -75,6 +74,25 @@ TEST_CASE("files say what made them") {
   CHECK(all.find(std::filesystem::path(STRAIGHTEDGE_FIXTURES).parent_path().string()) == std::string::npos);
   const Run edges = run_program({"edges", fixture("images/coins.png"), "-o", "-"});
   CHECK(edges.out.find("straightedge " STRAIGHTEDGE_VERSION " edges; sigma 1.4") != std::string::npos);
+}
+
+TEST_CASE("a map says what can change it: the seed of votes, none where edges are followed") {
+  const TemporaryFolder folder;
+  const std::string picture = folder.put("room.pgm", room_pgm()).string();
+  const auto written = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"lines", picture, "-o", "-", "--quiet"});
+    const Run run = run_program(more);
+    INFO(run.err);
+    REQUIRE(run.code == 0);
+    return run.out;
+  };
+  const std::string followed = written({});
+  CHECK(followed == written({"--method", "follow"}));
+  CHECK(followed == written({"--seed", "7"}));
+  CHECK(followed.find("seed") == std::string::npos);
+  const std::string voted = written({"--method", "progressive", "--threshold", "20", "--seed", "7"});
+  CHECK(voted.find("method progressive, seed 7, ") != std::string::npos);
+  CHECK(voted.find("threshold 20, ") != std::string::npos);
 }
 
 TEST_CASE("a ROS map's place goes into the file, and metres follow it") {
@@ -215,19 +233,20 @@ TEST_CASE("--fast writes a valid map of the edges that can be followed") {
 
 TEST_CASE("followed edges make the walls that votes make") {
   const TemporaryFolder folder;
-  const auto map_by = [&](const char* method) {
+  const auto map_by = [&](const std::string& method) {
     const std::string xml = (folder / "m.xml").string();
-    const Run run =
-        run_program({"lines", fixture("maps/mrpt_malaga/map.yaml"), "-o", xml, "--method", method});
+    std::vector<std::string> words = {"lines", fixture("maps/mrpt_malaga/map.yaml"), "-o", xml};
+    if (!method.empty()) words.insert(words.end(), {"--method", method});
+    const Run run = run_program(words);
     INFO(run.err);
     REQUIRE(run.code == 0);
-    CHECK((run.err.find("followed") != std::string::npos) == (std::string(method) == "follow"));
+    CHECK((run.err.find("followed") != std::string::npos) == method.empty());
     CHECK(run_program({"validate", xml}).code == 0);
     auto map = read_line_map(xml);
     REQUIRE(map);
     return *map;
   };
-  const LineMap voted = map_by("progressive"), followed = map_by("follow");
+  const LineMap voted = map_by("progressive"), followed = map_by("");
   int walls = 0, found = 0;
   for (const MapLine& line : voted.lines) {
     for (const MapSegment& wall : line.segments) {

@@ -74,7 +74,7 @@ TEST_CASE("every method can be explained") {
   const TemporaryFolder folder;
   const auto method = GENERATE(HoughMethod::standard, HoughMethod::progressive, HoughMethod::randomized);
   cli::ExplainOptions options;
-  options.lines.hough.method = method;
+  options.lines.hough->method = method;
   const auto page = explain_and_check(explained::fixture("images/pic5.png"), options, folder / "out");
   const char* names[] = {"standard", "progressive", "randomized"};
   CHECK(page.facts.at("method") == names[static_cast<int>(method)]);
@@ -128,7 +128,7 @@ TEST_CASE("pictures of an older run do not stay") {
   const TemporaryFolder folder;
   explain_and_check(explained::fixture("maps/mrpt/basic_map.png"), {}, folder / "out");
   cli::ExplainOptions options;
-  options.lines.hough.method = HoughMethod::standard;
+  options.lines.hough->method = HoughMethod::standard;
   const auto page = explain_and_check(explained::fixture("images/pic5.png"), options, folder / "out");
   CHECK(page.pictures == explained::photo_pictures);
 }
@@ -144,7 +144,10 @@ TEST_CASE("options that are wrong leave no trace") {
     options.lines.canny.high = std::nan("");
   }
   SECTION("threshold 0") {
-    options.lines.hough.threshold = 0;
+    options.lines.hough->threshold = 0;
+  }
+  SECTION("no votes") {
+    options.lines.hough.reset();
   }
   SECTION("sigma") {
     options.lines.canny.sigma = -1;

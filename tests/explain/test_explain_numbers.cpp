@@ -35,9 +35,9 @@ void check_fact(const explained::Page& page, const char* id, std::uint64_t value
 TEST_CASE("the page's numbers are those of the line map's own run") {
   const auto name = GENERATE("images/blox.jpg", "images/pic5.png", "maps/mrpt/basic_map.png");
   cli::ExplainOptions options;
-  options.lines.hough.method =
+  options.lines.hough->method =
       GENERATE(HoughMethod::standard, HoughMethod::progressive, HoughMethod::randomized);
-  INFO(name << ", method " << static_cast<int>(options.lines.hough.method));
+  INFO(name << ", method " << static_cast<int>(options.lines.hough->method));
   const auto [page, lines] = explain(explained::fixture(name), options);
   const LineMapReport& report = lines.report;
   check_fact(page, "strong", report.canny.strong);
@@ -56,7 +56,7 @@ TEST_CASE("the page's numbers are those of the line map's own run") {
     check_fact(page, "no-wall", report.no_wall);
     check_fact(page, "furniture", report.furniture);
   }
-  if (options.lines.hough.method != HoughMethod::standard) check_fact(page, "draws", report.hough.draws);
+  if (options.lines.hough->method != HoughMethod::standard) check_fact(page, "draws", report.hough.draws);
 }
 
 TEST_CASE("the numbers of a photo's edges are those of canny") {

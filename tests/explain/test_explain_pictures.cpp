@@ -25,7 +25,7 @@ Image<std::uint8_t> upright_step() {
   return image;
 }
 
-ExplainRun run_of(GrayView gray, LineMapOptions options = {}) {
+ExplainRun run_of(GrayView gray, LineMapOptions options = {.hough = line_map_hough}) {
   options.picture = PictureKind::photo;
   auto run = run_stages(gray, options);
   REQUIRE(run);
@@ -114,8 +114,8 @@ TEST_CASE("the only line of a picture is the peak of the accumulator") {
 }
 
 TEST_CASE("the progress ends where the run ends") {
-  LineMapOptions options;
-  options.hough.method = GENERATE(HoughMethod::progressive, HoughMethod::randomized);
+  LineMapOptions options{.hough = line_map_hough};
+  options.hough->method = GENERATE(HoughMethod::progressive, HoughMethod::randomized);
   const ExplainRun run = run_of(explained::fixture("images/blox.jpg"), options);
   const auto pictures = show_progress(run, first_round(options), {.zoom = 1, .full_length = 1});
   REQUIRE(pictures.size() == 4);
@@ -125,7 +125,7 @@ TEST_CASE("the progress ends where the run ends") {
     CHECK(pictures[i].votes >= pictures[i - 1].votes);
     CHECK(pictures[i].left < pictures[i - 1].left);
   }
-  const bool pairs = options.hough.method == HoughMethod::randomized;
+  const bool pairs = options.hough->method == HoughMethod::randomized;
   CHECK(pictures.back().lines == (pairs ? run.hough.peaks : run.hough.segments));
   for (const ProgressPicture& moment : pictures) {
     std::uint32_t taken = 0, others = 0;

@@ -99,12 +99,25 @@ TEST_CASE("options out of range are refused with a sentence") {
   check_refused(canny);
   canny.canny.low = nan;
   check_refused(canny);
-  LineMapOptions hough;
-  hough.hough.threshold = 0;
+  LineMapOptions hough{.hough = line_map_hough};
+  hough.hough->threshold = 0;
   check_refused(hough);
-  hough = {};
-  hough.hough.rho_step = nan;
+  hough.hough = line_map_hough;
+  hough.hough->rho_step = nan;
   check_refused(hough);
+}
+
+TEST_CASE("a picture with a side above 32767 pixels is refused, however straight edges are found") {
+  for (const Size wide : {Size{32768, 1}, Size{1, 32768}}) {
+    const Image<std::uint8_t> picture(wide, 255);
+    for (const LineMapOptions& options : {LineMapOptions{}, LineMapOptions{.hough = line_map_hough}}) {
+      const auto result = build_line_map(picture, options);
+      REQUIRE_FALSE(static_cast<bool>(result));
+      CHECK(result.failure().problem == Problem::bad_option);
+      CHECK(result.failure().sentence.find("too large") != std::string::npos);
+    }
+  }
+  plan::build(Image<std::uint8_t>(Size{32767, 1}, 255), {});
 }
 
 TEST_CASE("thresholds that no map file may have are refused") {
@@ -137,12 +150,8 @@ TEST_CASE("the same picture twice gives equal maps") {
   Pcg32 random(3, 52);
   canvas.add_noise(6, random);
   const Image<std::uint8_t> picture = canvas.picture();
-  for (const HoughMethod method :
-       {HoughMethod::standard, HoughMethod::progressive, HoughMethod::randomized}) {
-    LineMapOptions options;
-    options.hough.method = method;
+  for (const LineMapOptions& options : plan::all_methods())
     CHECK(plan::build(picture, options).map == plan::build(picture, options).map);
-  }
 }
 
 TEST_CASE("the map is written and read back unchanged") {
@@ -175,12 +184,12 @@ TEST_CASE("ids count from zero, counts of the report are those of the map") {
   CHECK(result.report.picture == PictureKind::map);
   CHECK(result.report.walls >= 4);
   CHECK(result.report.edges >= segments);
-  CHECK(result.report.candidates >= result.report.edges);
-  CHECK(result.report.rounds >= 1);
-  const LineMapResult followed = plan::build(room().picture(), {.follow = true});
-  CHECK(followed.report.candidates == followed.report.edges);
-  CHECK(followed.report.rounds == 0);
-  CHECK(followed.report.segments == segments);
+  CHECK(result.report.candidates == result.report.edges);
+  CHECK(result.report.rounds == 0);
+  const LineMapResult voted = plan::build(room().picture(), {.hough = line_map_hough});
+  CHECK(voted.report.candidates >= voted.report.edges);
+  CHECK(voted.report.rounds >= 1);
+  CHECK(voted.report.segments == segments);
 }
 
 TEST_CASE("a photo keeps every edge and knows no walls") {

@@ -24,9 +24,8 @@ std::string text_of(const LineMap& map) {
 }  // namespace
 
 TEST_CASE("a builder used again and again gives the maps of a new one") {
-  for (const bool refine : {true, false}) {
-    LineMapOptions options;
-    options.refine = refine;
+  for (const LineMapOptions& options :
+       {LineMapOptions{}, LineMapOptions{.hough = line_map_hough}, LineMapOptions{.refine = false}}) {
     LineMapBuilder builder(options);
     for (const Size size : {Size{180, 120}, Size{200, 160}, Size{180, 120}}) {
       for (const double thickness : {2.0, 8.0}) {
@@ -84,9 +83,14 @@ TEST_CASE("without refinement thin bars are axes, and in a photo they have two e
 
 TEST_CASE("bad options and pictures without pixels are refused without refinement, too") {
   CHECK(!build_line_map({}, {.refine = false}));
-  LineMapOptions options{.refine = false};
-  options.hough.threshold = 0;
-  const auto built = build_line_map(plan_of({180, 120}, 8), options);
+  const auto built = build_line_map(plan_of({180, 120}, 8), {.min_length = 2, .refine = false});
   REQUIRE(!built);
   CHECK(built.failure().problem == Problem::bad_option);
+}
+
+TEST_CASE("without refinement nobody votes, so options of votes are refused, not ignored") {
+  const auto built = build_line_map(plan_of({180, 120}, 8), {.hough = line_map_hough, .refine = false});
+  REQUIRE(!built);
+  CHECK(built.failure().problem == Problem::bad_option);
+  CHECK(built.failure().sentence.find("hough") != std::string::npos);
 }

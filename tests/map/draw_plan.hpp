@@ -59,6 +59,18 @@ inline straightedge::LineMapResult build(straightedge::GrayView picture,
   return std::move(*result);
 }
 
+/// Edges followed, which is the default, and voted for by each Hough transform.
+inline std::vector<straightedge::LineMapOptions> all_methods() {
+  using straightedge::HoughMethod;
+  std::vector<straightedge::LineMapOptions> all(1);
+  for (const HoughMethod method :
+       {HoughMethod::standard, HoughMethod::progressive, HoughMethod::randomized}) {
+    all.push_back({.hough = straightedge::line_map_hough});
+    all.back().hough->method = method;
+  }
+  return all;
+}
+
 inline std::vector<Found> walls_in(const support::Canvas& canvas,
                                    const straightedge::LineMapOptions& options = {}) {
   return found_in(build(canvas.picture(), options).map);

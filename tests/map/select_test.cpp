@@ -71,8 +71,8 @@ TEST_CASE("the four edges of a box are found by every method, each once") {
     CAPTURE(static_cast<int>(method));
     const support::EdgeScene scene = box();
     const Image<std::uint8_t> before = scene.mask;
-    LineMapOptions options;
-    options.hough.method = method;
+    LineMapOptions options{.hough = line_map_hough};
+    options.hough->method = method;
     EdgeRoom room;
     std::vector<WallLine> lines;
     LineMapReport report;
@@ -95,8 +95,8 @@ TEST_CASE("the four edges of a box are found by every method, each once") {
 
 TEST_CASE("bad options of the Hough transform come back as its status") {
   const support::EdgeScene scene = box();
-  LineMapOptions options;
-  options.hough.threshold = 0;
+  LineMapOptions options{.hough = line_map_hough};
+  options.hough->threshold = 0;
   EdgeRoom room;
   std::vector<WallLine> lines;
   LineMapReport report;

@@ -22,27 +22,27 @@ enum class PictureKind : std::uint8_t {
   photo,      ///< every edge is a line
 };
 
-/// Coarse segments are all that is asked of the Hough transform here: refinement does the rest.
+/// For LineMapOptions::hough. Coarse segments are all that is asked of the Hough transform here: refinement
+/// does the rest.
 inline constexpr HoughOptions line_map_hough{
     .threshold = 14, .min_length = 10, .max_gap = 4, .gradient_window = 0.3};
 
 struct LineMapOptions {
   PictureKind picture = PictureKind::automatic;
   CannyOptions canny{.low = 40, .high = 110};
-  HoughOptions hough = line_map_hough;
-  bool follow = false;          ///< true: straight edges are followed, `hough` is not asked; faster
-  double min_length = 9;        ///< pixels, 3..1e6; shorter segments are dropped
-  double max_gap = 10;          ///< pixels, 0..1e6; a hole in a wall up to this long is bridged
+  std::optional<HoughOptions> hough = {};  ///< none: straight edges are followed; else they are voted for
+  double min_length = 9;                   ///< pixels, 3..1e6; shorter segments are dropped
+  double max_gap = 10;                     ///< pixels, 0..1e6; a hole in a wall up to this long is bridged
   double max_wall_width = 3.6;  ///< pixels, 0..50; thinner walls become one axis, thicker keep both faces
   double furniture_size = 26;   ///< pixels, 0..1e6; solid things that stand alone and fit in are dropped
   bool refine = true;           ///< false: edges are followed, thin walls joined, and no more
   std::optional<RosMeaning> meaning = {};  ///< a ROS map's thresholds decide what is wall
 };
 
-/// What the first round of the Hough transform is asked for: `hough`, but short segments can only come out
-/// when short ones are looked for.
+/// What the first round of the Hough transform is asked for, if there is one: `hough`, but short segments can
+/// only come out when short ones are looked for.
 constexpr HoughOptions first_round(const LineMapOptions& options) noexcept {
-  HoughOptions hough = options.hough;
+  HoughOptions hough = options.hough.value_or(line_map_hough);
   if (options.min_length < hough.min_length) hough.min_length = options.min_length;
   return hough;
 }
@@ -74,8 +74,8 @@ struct LineMapResult {
 ///
 ///  1. What the picture shows: map or photo, ground levels, noise.
 ///  2. Edges by Canny; positions from the picture as given, directions from the stretched one.
-///  3. Straight edges: rounds of the Hough transform, each segment refit between the pixels. With `follow`:
-///     each is followed from pixel to pixel, and fit between the pixels.
+///  3. Straight edges: each is followed from pixel to pixel, and fit between the pixels. With `hough`: rounds
+///     of the Hough transform, each segment refit between the pixels.
 ///  4. The two edges of a thin wall become its axis; so does one, when the other was too ragged to be found.
 ///  5. Ends are read from the gray along each line, between the pixels.
 ///  6. What the picture does not show as wall goes.
@@ -86,13 +86,13 @@ struct LineMapResult {
 /// Steps 4 to 6 and the furniture of step 7 are for maps alone.
 ///
 /// Without `refine`, in a quarter of the time: edges by Canny of the picture as given; each is followed from
-/// pixel to pixel, and `hough` is not asked; thin walls become axes as in step 4, unless the picture is said
-/// to be a photo; pieces of one edge are joined; lone edges shorter than 1.5 min_length go. Ends are those of
-/// the pixels, about two pixels off, and each segment is a line.
+/// pixel to pixel; thin walls become axes as in step 4, unless the picture is said to be a photo; pieces of
+/// one edge are joined; lone edges shorter than 1.5 min_length go. Ends are those of the pixels, about two
+/// pixels off, and each segment is a line.
 ///
-/// Failures: bad_content (no pixels), bad_option (out of range, or a picture too large for the Hough
-/// transform: sides up to 32767). Time proportional to the pixels plus the lines; memory about 15 bytes a
-/// pixel. Nothing depends on the kernels but the time.
+/// Failures: bad_content (no pixels), bad_option (out of range; `hough` without `refine`; sides above 32767
+/// pixels, or a picture too large for the Hough transform). Time proportional to the pixels plus the lines;
+/// memory about 15 bytes a pixel. Nothing depends on the kernels but the time.
 Result<LineMapResult> build_line_map(GrayView gray, const LineMapOptions& options = {},
                                      const KernelSet& kernels = best_kernels());
 
