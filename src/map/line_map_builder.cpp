@@ -30,6 +30,7 @@ namespace {
 constexpr double corner_reach = 3.5;     // pixels
 constexpr double lone_edge_share = 1.5;  // of the shortest length asked for; without refinement
 constexpr double shortest_edge = 8;      // pixels, where no shorter ones are asked for
+constexpr double shortest_in_map = 6;    // without noise; ragged walls come in such short ones
 constexpr double longest_hole = 8;       // pixels, of an edge; walls are bridged later
 constexpr std::size_t few_places = 24;   // of an edge, without refinement
 
@@ -87,9 +88,10 @@ Status detect_edges(const Picture& picture, const CannyOptions& options, const K
   return edges.planes.detect(picture.stretched, options, kernels);
 }
 
-FollowOptions follow_options(const LineMapOptions& options) {
+FollowOptions follow_options(const LineMapOptions& options, const Picture& picture) {
+  const bool short_ones = picture.kind == PictureKind::map && !picture.noisy;
   FollowOptions follow;
-  follow.min_length = std::min(shortest_edge, options.min_length);
+  follow.min_length = std::min(short_ones ? shortest_in_map : shortest_edge, options.min_length);
   follow.max_gap = std::min(options.max_gap, longest_hole);
   follow.norm = options.canny.norm;
   if (!options.refine) follow.places = few_places;
@@ -174,7 +176,7 @@ Result<LineMapResult> LineMapBuilder::build_coarse(GrayView gray) {
   // Step 3.
   planes.to_bits(room_->bits);
   std::vector<WallLine> lines = room_->follower.run(room_->bits, {planes.dx, planes.dy, {}},
-                                                    follow_options(options), *kernels_.picture_rows);
+                                                    follow_options(options, {}), *kernels_.picture_rows);
   out.report.candidates = out.report.edges = static_cast<std::uint32_t>(lines.size());
   // Step 4.
   const LineSampler sampler(seen, *kernels_.picture_rows);
@@ -218,7 +220,8 @@ Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
     if (status != Status::ok) return failure_of("the Hough transform", status);
   } else {
     edges.planes.to_bits(room_->bits);
-    lines = room_->follower.run(room_->bits, edges.field(), follow_options(options), *kernels_.picture_rows);
+    lines = room_->follower.run(room_->bits, edges.field(), follow_options(options, picture),
+                                *kernels_.picture_rows);
     report.candidates = report.edges = static_cast<std::uint32_t>(lines.size());
   }
   // Steps 4 to 6: thin walls become axes, ends are measured, what is no wall goes.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include <optional>
 #include <string>
 
 #include "draw_plan.hpp"
@@ -33,6 +34,23 @@ TEST_CASE("the shipped maps become line maps that keep every rule, with and with
     CHECK(result.report.picture == PictureKind::map);
     REQUIRE(result.map.image.has_value());
     CHECK(result.map.image->meaning == options.meaning);
+  }
+}
+
+TEST_CASE("of the ragged walls in maps by laser as much is followed as votes find") {
+  for (const char* name : {"mrpt_corridor", "mrpt_malaga"}) {
+    CAPTURE(name);
+    const auto ros = read_ros_map(std::string(STRAIGHTEDGE_FIXTURES) + "/maps/" + name + "/map.yaml");
+    REQUIRE(static_cast<bool>(ros));
+    const auto picture = read_gray_image(ros->image);
+    REQUIRE(static_cast<bool>(picture));
+    const auto length = [&](const std::optional<HoughOptions>& hough) {
+      double sum = 0;
+      const LineMap map = plan::build(*picture, {.hough = hough, .meaning = ros->meaning}).map;
+      for (const plan::Found& found : plan::found_in(map)) sum += found.wall.length();
+      return sum;
+    };
+    CHECK(length({}) > length(line_map_hough));
   }
 }
 

@@ -85,7 +85,7 @@ struct LineMapResult {
 /// 10. The map's frame, normal form and covariance.
 /// Steps 4 to 6 and the furniture of step 7 are for maps alone.
 ///
-/// Without `refine`, in a quarter of the time: edges by Canny of the picture as given; each is followed from
+/// Without `refine`, in half the time: edges by Canny of the picture as given; each is followed from
 /// pixel to pixel; thin walls become axes as in step 4, unless the picture is said to be a photo; pieces of
 /// one edge are joined; lone edges shorter than 1.5 min_length go. Ends are those of the pixels, about two
 /// pixels off, and each segment is a line.
