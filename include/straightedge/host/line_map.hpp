@@ -45,7 +45,7 @@ struct MapLine {
   std::uint32_t id = 0;  ///< unique among the lines of the map
   double rho = 0;
   double theta = 0;
-  std::optional<std::uint32_t> votes;  ///< of the Hough transform
+  std::optional<std::uint32_t> votes;  ///< of the Hough transform; or pixels of edges that were followed
   std::optional<double> width;         ///< of a thin wall whose axis this is; absent: the face of a wall
   std::optional<std::uint32_t> count;  ///< how many observations were merged into it
   std::optional<std::string> source;
