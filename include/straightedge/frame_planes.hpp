@@ -35,8 +35,8 @@ class PlaneSurfaces;
 ///     pieces are bent (a quadratic surface fits them better by more than chance, radius below 0.6 m)
 ///     is a strip of something round: it leaves with its cells.
 ///  6. Steps 2 to 5 again on what is left over, if a plane may be in it; cells keep the planes they have.
-///  7. Steps 3 to 5 again if planes have left. Pixels: a full cell that fits well is its plane's as a whole
-///     where all around agree, or none near crosses its own in it; in others a pixel within the gate is its
+///  7. Crumbs (pieces of a few cells) lose their plane. Pixels: a full cell that fits well is its plane's as a
+///     whole where all around agree, or none near crosses its own in it; else a pixel within the gate is its
 ///     plane's, or if cells around differ, the nearest one's by the mean over its surface's 3x3 pixels.
 ///  8. Last fit to the cells of each label; planes with too few pixels leave; largest first.
 ///
@@ -118,16 +118,17 @@ class FramePlanes {
   void keep() noexcept;
   void rename_cells(std::span<const std::uint16_t> by) noexcept;
   void sort_by_cells() noexcept;
-  void judge(const PinholeCamera& camera, bool last) noexcept;
-  void count_solid(const PinholeCamera& camera, bool drop_crumbs) noexcept;
+  void judge(const PinholeCamera& camera) noexcept;
+  void count_solid(const PinholeCamera& camera) noexcept;
   void clear_round() noexcept;
-  void clear_cell(std::int32_t cell) noexcept;
+  void clear_cells(std::int32_t begin, std::int32_t end) noexcept;
+  void drop_crumbs() noexcept;
   Status finish(const DepthView& depth, ImageView<std::uint16_t> labels, std::span<FoundPlane> planes,
                 PlanesFound& found) noexcept;
 
   Size size_{};
   FramePlanesOptions options_{};
-  std::uint32_t min_pixels_ = 0;
+  std::uint32_t min_pixels_ = 0, count_ = 0;
   ImageView<float> inverse_depth_;
   DepthCells cells_;
   std::array<std::span<std::uint16_t>, DepthCells::levels> cell_labels_{};
@@ -143,8 +144,7 @@ class FramePlanes {
   std::span<InverseDepthMoments> moments_;
   // What becomes of each plane: an index, or gone; in the end their order. What becomes of each label.
   std::span<std::uint16_t> becomes_, new_label_;
-  bool prepared_ = false, dropped_ = false;
-  std::uint32_t count_ = 0;
+  bool prepared_ = false;
 };
 
 }  // namespace straightedge

@@ -176,7 +176,7 @@ Status FramePlanes::search_round(const DepthView& depth, const PlaneSearch& sear
   count_ += added;
   assign_cells();
   refit(depth.camera, before);
-  judge(depth.camera, false);
+  judge(depth.camera);
   return Status::ok;
 }
 
@@ -201,10 +201,12 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   // Steps 2 to 6.
   Status status = search_round(depth, search, {}, found);
   for (std::uint32_t round = 1; status == Status::ok && round < options_.rounds; ++round) {
-    const std::uint32_t middles = detail::free_cells(cells_, small_cell_labels(), visited_);
+    // The labels' memory is free until the last step.
+    const std::uint32_t middles =
+        detail::free_cells(cells_, small_cell_labels(), detail::marks_in(labels, cells_));
     const std::int32_t side = options_.cell;
     if (middles * static_cast<std::uint32_t>(side * side) < min_pixels_) break;
-    detail::mark_pixels(cells_.size(cells_.finest()), side, visited_, labels);
+    detail::spread_marks(side, labels);
     status = search_round(depth, search, labels, found);
   }
   return status != Status::ok ? status : finish(depth, labels, planes, found);
@@ -213,12 +215,8 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
 Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labels,
                            std::span<FoundPlane> planes, PlanesFound& found) noexcept {
   // Step 7.
-  if (dropped_) {
-    assign_cells();
-    refit(depth.camera, 0);
-  }
+  drop_crumbs();
   sort_by_cells();
-  judge(depth.camera, true);
   const std::span<std::uint16_t> labels_of_cells = small_cell_labels();
   detail::PixelLabeller{inverse_depth_,
                         cells_,

@@ -12,7 +12,7 @@ constexpr std::int32_t reach = 2;
 
 struct Grid {
   std::span<const std::uint16_t> labels;
-  std::span<std::uint16_t> marks;
+  ImageView<std::uint16_t> marks;
   std::span<const std::uint8_t> counts;
   std::int32_t least_readings;
   Size size;
@@ -37,7 +37,7 @@ struct Grid {
          ++j) {
       for (std::int32_t i = std::max<std::int32_t>(x - reach, 0); i <= std::min(x + reach, size.width - 1);
            ++i) {
-        if (labels[place(i, j)] == 0) marks[place(i, j)] = 0;
+        if (labels[place(i, j)] == 0) marks.row(j)[i] = 0;
       }
     }
   }
@@ -46,8 +46,8 @@ struct Grid {
 }  // namespace
 
 std::uint32_t free_cells(const DepthCells& cells, std::span<const std::uint16_t> cell_labels,
-                         std::span<std::uint16_t> marks) noexcept {
-  std::fill(marks.begin(), marks.end(), taken);
+                         ImageView<std::uint16_t> marks) noexcept {
+  for (std::int32_t y = 0; y < marks.height; ++y) std::fill_n(marks.row(y), marks.width, taken);
   const int finest = cells.finest();
   const std::int32_t side = DepthCells::side_of(finest);
   const Grid grid{cell_labels, marks, cells.counts(), side * side / 2, cells.size(finest)};
@@ -63,17 +63,26 @@ std::uint32_t free_cells(const DepthCells& cells, std::span<const std::uint16_t>
   return middles;
 }
 
-void mark_pixels(Size cells, std::int32_t side, std::span<const std::uint16_t> marks,
-                 ImageView<std::uint16_t> labels) noexcept {
+ImageView<std::uint16_t> marks_in(ImageView<std::uint16_t> labels, const DepthCells& cells) noexcept {
+  const Size size = cells.size(cells.finest());
+  ImageView<std::uint16_t> marks = labels;
+  marks.width = size.width;
+  marks.height = size.height;
+  marks.stride = labels.stride * DepthCells::side_of(cells.finest());
+  return marks;
+}
+
+void spread_marks(std::int32_t side, ImageView<std::uint16_t> labels) noexcept {
   for (std::int32_t y = 0; y < labels.height; ++y) {
     std::uint16_t* row = labels.row(y);
     if (y % side != 0) {
       std::copy(labels.row(y - 1), labels.row(y - 1) + labels.width, row);
       continue;
     }
-    const std::uint16_t* mark = marks.data() + static_cast<std::ptrdiff_t>(y / side) * cells.width;
-    for (std::int32_t left = 0; left < labels.width; left += side, ++mark) {
-      std::fill(row + left, row + std::min(left + side, labels.width), *mark);
+    // From the right, where no mark is overwritten that is still needed.
+    for (std::int32_t x = (labels.width - 1) / side; x >= 0; --x) {
+      const std::uint16_t mark = row[x];
+      std::fill(row + x * side, row + std::min((x + 1) * side, labels.width), mark);
     }
   }
 }

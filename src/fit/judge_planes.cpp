@@ -41,7 +41,7 @@ void sum_up_rows(const DepthCells& cells, std::int32_t top, std::int32_t bottom,
 
 }  // namespace
 
-void FramePlanes::count_solid(const PinholeCamera& camera, bool drop_crumbs) noexcept {
+void FramePlanes::count_solid(const PinholeCamera& camera) noexcept {
   const std::span<std::uint16_t> labels = small_cell_labels();
   const double least = solid_pixels(size_, options_), of_cell = options_.cell * options_.cell;
   std::fill_n(cells_of_.begin(), count_, 0U);
@@ -49,31 +49,22 @@ void FramePlanes::count_solid(const PinholeCamera& camera, bool drop_crumbs) noe
   std::fill_n(loose_.begin(), count_, detail::QuadraticSums{});
   const detail::CellPieces pieces{cells_.size(cells_.finest()), labels, visited_, runs_};
   pieces.find();
-  const auto is_crumb = [&](std::int32_t cells) noexcept {
-    return drop_crumbs && cells * of_cell < crumb_share * least;
-  };
-  pieces.for_runs(
-      [&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) noexcept {
-        const auto run = static_cast<std::uint32_t>(end - begin);
-        if (!is_crumb(cells)) cells_of_[label - 1U] += run;
-        if (cells * of_cell >= least) {
-          solid_[label - 1U] += run;
-        } else {
-          const auto again = static_cast<std::uint16_t>(label | detail::CellLabeller::fresh);
-          std::fill(labels.begin() + begin, labels.begin() + end, again);
-        }
-      });
-  detail::PlaneSurfaces(size_, camera, options_).add_fresh(cells_, labels, loose_);
-  if (!drop_crumbs) return;
-  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t, std::int32_t cells) noexcept {
-    if (is_crumb(cells)) std::fill(labels.begin() + begin, labels.begin() + end, std::uint16_t{0});
+  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) noexcept {
+    const auto run = static_cast<std::uint32_t>(end - begin);
+    cells_of_[label - 1U] += run;
+    if (cells * of_cell >= least) {
+      solid_[label - 1U] += run;
+    } else {
+      const auto again = static_cast<std::uint16_t>(label | detail::CellLabeller::fresh);
+      std::fill(labels.begin() + begin, labels.begin() + end, again);
+    }
   });
+  detail::PlaneSurfaces(size_, camera, options_).add_fresh(cells_, labels, loose_);
 }
 
-void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
+void FramePlanes::judge(const PinholeCamera& camera) noexcept {
   // Step 5.
-  count_solid(camera, last);
-  dropped_ = false;
+  count_solid(camera);
   bool round = false;
   for (std::uint16_t k = 0; k < count_; ++k) {
     detail::QuadraticSums solid = sums_[k];
@@ -83,7 +74,6 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
     becomes_[k] = shape == detail::PlaneShape::flat   ? k
                   : shape == detail::PlaneShape::bent ? gone_with_cells
                                                       : gone;
-    dropped_ = dropped_ || shape != detail::PlaneShape::flat;
     round = round || shape == detail::PlaneShape::bent;
   }
   if (round) clear_round();
@@ -91,27 +81,40 @@ void FramePlanes::judge(const PinholeCamera& camera, bool last) noexcept {
 }
 
 void FramePlanes::clear_round() noexcept {
-  const std::span<const std::uint16_t> labels = small_cell_labels();
-  const std::int32_t width = cells_.size(cells_.finest()).width;
-  std::int32_t top = cells_.size(cells_.finest()).height, bottom = 0;
-  for (std::size_t cell = 0; cell < labels.size(); ++cell) {
-    if (labels[cell] == 0 || becomes_[labels[cell] - 1U] != gone_with_cells) continue;
-    const auto i = static_cast<std::int32_t>(cell);
-    clear_cell(i);
-    top = std::min(top, i / width);
-    bottom = i / width + 1;
-  }
+  const Size size = cells_.size(cells_.finest());
+  const std::int32_t width = size.width;
+  std::int32_t top = size.height, bottom = 0;
+  const detail::CellPieces pieces{size, small_cell_labels(), visited_, runs_};
+  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t) noexcept {
+    if (becomes_[label - 1U] != gone_with_cells) return;
+    clear_cells(begin, end);
+    top = std::min(top, begin / width);
+    bottom = begin / width + 1;
+  });
   if (top < bottom) sum_up_rows(cells_, top, bottom, *options_.kernels);
 }
 
-void FramePlanes::clear_cell(std::int32_t cell) noexcept {
-  const std::int32_t side = options_.cell, width = cells_.size(cells_.finest()).width;
-  const std::int32_t left = cell % width * side, top = cell / width * side;
-  cells_.set(cells_.finest(), static_cast<std::size_t>(cell), {});
-  cells_.counts()[static_cast<std::size_t>(cell)] = 0;
-  for (std::int32_t y = top; y < std::min(top + side, size_.height); ++y) {
-    std::fill(inverse_depth_.row(y) + left, inverse_depth_.row(y) + std::min(left + side, size_.width), 0.0F);
+void FramePlanes::clear_cells(std::int32_t begin, std::int32_t end) noexcept {
+  for (std::int32_t cell = begin; cell < end; ++cell) {
+    cells_.set(cells_.finest(), static_cast<std::size_t>(cell), {});
+    cells_.counts()[static_cast<std::size_t>(cell)] = 0;
   }
+  const std::int32_t side = options_.cell, width = cells_.size(cells_.finest()).width;
+  const std::int32_t left = begin % width * side, right = std::min(left + (end - begin) * side, size_.width);
+  const std::int32_t top = begin / width * side, bottom = std::min(top + side, size_.height);
+  for (std::int32_t y = top; y < bottom; ++y) {
+    std::fill(inverse_depth_.row(y) + left, inverse_depth_.row(y) + right, 0.0F);
+  }
+}
+
+void FramePlanes::drop_crumbs() noexcept {
+  const double least = crumb_share * solid_pixels(size_, options_), of_cell = options_.cell * options_.cell;
+  const std::span<std::uint16_t> labels = small_cell_labels();
+  // As the last judgement found them.
+  const detail::CellPieces pieces{cells_.size(cells_.finest()), labels, visited_, runs_};
+  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t, std::int32_t cells) noexcept {
+    if (cells * of_cell < least) std::fill(labels.begin() + begin, labels.begin() + end, std::uint16_t{0});
+  });
 }
 
 }  // namespace straightedge
