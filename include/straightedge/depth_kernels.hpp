@@ -107,10 +107,9 @@ struct DepthKernels {
   /// Adds DepthWholeCells::mark to the labels of cells that are wholly their plane's; 0 and `border` stay.
   void (*mark_whole)(const DepthWholeCells& task, const DepthSurfaces& surfaces,
                      std::uint16_t* labels) noexcept;
-  /// A row of pixels from a row of labels with such marks: label k becomes shown[k − 1] where the mark is,
-  /// and 0 elsewhere.
-  void (*spread_labels)(const std::uint16_t* cells, const std::uint16_t* shown, std::int32_t side,
-                        std::int32_t width, std::uint16_t* labels) noexcept;
+  /// A row of pixels from a row of labels with such marks: the label where the mark is, and 0 elsewhere.
+  void (*spread_labels)(const std::uint16_t* cells, std::int32_t side, std::int32_t width,
+                        std::uint16_t* labels) noexcept;
 
   /// Readings within the gate get the label, all others 0; how many got it.
   std::int32_t (*label_block)(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride) noexcept;

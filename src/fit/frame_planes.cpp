@@ -218,16 +218,9 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
   drop_crumbs();
   sort_by_cells();
   const std::span<std::uint16_t> labels_of_cells = small_cell_labels();
-  detail::PixelLabeller{inverse_depth_,
-                        cells_,
-                        labels_of_cells,
-                        surfaces_.first(count_),
-                        options_.gate,
-                        *options_.kernels,
-                        float_surfaces_,
-                        sums_.first(count_),
-                        static_cast<double>(min_pixels_),
-                        new_label_.first(count_)}
+  detail::PixelLabeller{inverse_depth_,          cells_,        labels_of_cells,
+                        surfaces_.first(count_), options_.gate, *options_.kernels,
+                        float_surfaces_}
       .label(labels, moments_.first(count_), visited_);
   // Step 8.
   const std::span<std::uint16_t> order = becomes_;

@@ -49,16 +49,17 @@ void FramePlanes::count_solid(const PinholeCamera& camera) noexcept {
   std::fill_n(loose_.begin(), count_, detail::QuadraticSums{});
   const detail::CellPieces pieces{cells_.size(cells_.finest()), labels, visited_, runs_};
   pieces.find();
-  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) noexcept {
-    const auto run = static_cast<std::uint32_t>(end - begin);
-    cells_of_[label - 1U] += run;
-    if (cells * of_cell >= least) {
-      solid_[label - 1U] += run;
-    } else {
-      const auto again = static_cast<std::uint16_t>(label | detail::CellLabeller::fresh);
-      std::fill(labels.begin() + begin, labels.begin() + end, again);
-    }
-  });
+  pieces.for_runs(
+      [&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) noexcept {
+        const auto run = static_cast<std::uint32_t>(end - begin);
+        cells_of_[label - 1U] += run;
+        if (cells * of_cell >= least) {
+          solid_[label - 1U] += run;
+        } else {
+          const auto again = static_cast<std::uint16_t>(label | detail::CellLabeller::fresh);
+          std::fill(labels.begin() + begin, labels.begin() + end, again);
+        }
+      });
   detail::PlaneSurfaces(size_, camera, options_).add_fresh(cells_, labels, loose_);
 }
 

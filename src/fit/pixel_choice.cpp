@@ -46,7 +46,7 @@ void PixelChoice::label_cell(std::int32_t x, std::int32_t y) noexcept {
     flat_[k] = work_.planes[around.labels[k] - 1U].tangent(left + cell / 2, top + cell / 2);
     choice_.along[k] = static_cast<float>(flat_[k].a);
     choice_.down[k] = static_cast<float>(flat_[k].b);
-    choice_.label[k] = work_.shown[around.labels[k] - 1U];
+    choice_.label[k] = around.labels[k];
   }
   for (std::int32_t j = top; j < bottom; j += side) {
     for (std::int32_t i = left; i < right; i += side) label_square(i, j);
@@ -74,7 +74,7 @@ void PixelChoice::label_square(std::int32_t left, std::int32_t top) noexcept {
   write(left, top, chosen.data());
   for (std::size_t k = 0; k < planes; ++k) {
     const std::uint16_t label = choice_.label[k];
-    if (label != 0) moments_[label - 1U].n += count_of(label, chosen);
+    moments_[label - 1U].n += count_of(label, chosen);
   }
 }
 

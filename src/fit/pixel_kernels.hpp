@@ -9,8 +9,8 @@
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 
 void mark_whole(const DepthWholeCells& task, const DepthSurfaces& surfaces, std::uint16_t* labels) noexcept;
-void spread_labels(const std::uint16_t* cells, const std::uint16_t* shown, std::int32_t side,
-                   std::int32_t width, std::uint16_t* labels) noexcept;
+void spread_labels(const std::uint16_t* cells, std::int32_t side, std::int32_t width,
+                   std::uint16_t* labels) noexcept;
 std::int32_t label_block(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride) noexcept;
 void choose(const DepthChoice& square, std::uint16_t* labels) noexcept;
 

@@ -10,7 +10,6 @@
 #include "four_labels.hpp"
 #include "labels_around.hpp"
 #include "pixel_choice.hpp"
-#include "straightedge/square_root.hpp"
 
 namespace straightedge::detail {
 namespace {
@@ -37,12 +36,9 @@ struct Pixels {
   ImageView<std::uint16_t> labels;
   std::span<InverseDepthMoments> moments;
 
-  void count(std::int32_t pixels, std::uint16_t label) const noexcept {
-    if (work.shown[label - 1U] != 0) moments[label - 1U].n += pixels;
-  }
+  void count(std::int32_t pixels, std::uint16_t label) const noexcept { moments[label - 1U].n += pixels; }
   /// Pixels with one and the same plane around: each within the gate is its. The plane is taken for flat.
   void fill(std::int32_t left, std::int32_t top, Size size, std::uint16_t only) const noexcept {
-    if (work.shown[only - 1U] == 0) return;
     const double u = left + size.width / 2.0, v = top + size.height / 2.0;
     const InverseDepthPlane plane = work.planes[only - 1U].tangent(u, v);
     const double limit = work.gate.sigmas * work.gate.inverse_noise(plane.at(u, v));
@@ -150,7 +146,7 @@ struct CellMoments {
       for (std::int32_t i = 0; i < right - left; ++i) differ |= row[i] ^ first;
     }
     if (differ != 0) return false;
-    if (first != 0 && work.shown[first - 1U] != 0) {
+    if (first != 0) {
       const auto place =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(squares.width) + static_cast<std::size_t>(x);
       moments[first - 1U].add(work.cells.moments(level, place));
@@ -196,7 +192,7 @@ struct CellRow {
     const std::int32_t side = DepthCells::side_of(states.finest()), top = y * side;
     const ImageView<std::uint16_t>& labels = pixels.labels;
     std::uint16_t* out = labels.row(top);
-    pixels.work.kernels.spread_labels(states.row(y), pixels.work.shown.data(), side, labels.width, out);
+    pixels.work.kernels.spread_labels(states.row(y), side, labels.width, out);
     for (std::int32_t j = top + 1; j < std::min(top + side, labels.height); ++j) {
       std::copy(out, out + labels.width, labels.row(j));
     }
@@ -227,52 +223,15 @@ struct CellRow {
 
 }  // namespace
 
-bool PixelLabeller::some_are_small() const noexcept {
-  const double side = DepthCells::side_of(cells.finest());
-  // Those whose cells, with a ring of cells around a square of them, are too few: others have a chance.
-  return std::any_of(sums.begin(), sums.end(), [&](const QuadraticSums& sum) noexcept {
-    return sum.n + 4 * side * square_root(sum.n) < min_pixels;
-  });
-}
-
-void PixelLabeller::find_shown(std::span<const std::uint16_t> around,
-                               std::span<InverseDepthMoments> most) const noexcept {
-  // A plane's pixels lie in cells that have it around.
-  const Size size = cells.size(cells.finest());
-  const float* readings = cells.rows(cells.finest(), 0).first;
-  std::size_t i = 0;
-  for (std::int32_t y = 0; y < size.height; ++y) {
-    for (std::int32_t x = 0; x < size.width;) {
-      const std::uint16_t state = around[i];
-      std::int32_t count = 0;
-      if (state == border) {
-        count = static_cast<std::int32_t>(readings[i]);
-        const LabelsAround near(size, cell_labels, x, y);
-        for (std::size_t k = 0; k < near.count; ++k) most[near.labels[k] - 1U].n += count;
-        ++x, ++i;
-        continue;
-      }
-      for (; x < size.width && around[i] == state; ++x, ++i) count += static_cast<std::int32_t>(readings[i]);
-      if (state != none) most[state - 1U].n += count;
-    }
-  }
-  for (std::size_t k = 0; k < most.size(); ++k) {
-    if (most[k].n < min_pixels) shown[k] = 0;
-    most[k] = {};
-  }
-}
-
 void PixelLabeller::label(ImageView<std::uint16_t> labels, std::span<InverseDepthMoments> moments,
                           std::span<std::uint16_t> scratch) const noexcept {
   for (InverseDepthMoments& m : moments) m = {};
-  for (std::size_t k = 0; k < planes.size(); ++k) shown[k] = static_cast<std::uint16_t>(k + 1);
   const Pixels pixels{*this, labels, moments};
   const States states{*this, scratch};
   PixelChoice choice(*this, labels, moments);
   fill_surfaces(planes, cells, surfaces);
   const std::int32_t height = states.size().height;
   for (std::int32_t y = 0; y < height; ++y) states.look_around(y);
-  if (some_are_small()) find_shown(scratch, moments);
   for (std::int32_t y = 0; y < height; ++y) states.settle(y);
   CellMoments{*this, moments}.add_all();
   // The means, while n counts pixels.

@@ -20,21 +20,12 @@ struct PixelLabeller {
   std::span<const BentPlane> planes;
   const PlaneGate& gate;
   const DepthKernels& kernels;
-  const DepthSurfaces& surfaces;        ///< room for the planes as the cells see them
-  std::span<const QuadraticSums> sums;  ///< of the planes' cells
-  double min_pixels;                    ///< of a plane
-  /// Room for the label of each plane's pixels: 0 for one that cannot win `min_pixels`. It still competes, as
-  /// those do that are found too small only in the end.
-  std::span<std::uint16_t> shown;
+  const DepthSurfaces& surfaces;  ///< room for the planes as the cells see them
 
   /// `moments`: of each plane's cells, multiplied so that n is the number of its pixels. `scratch`: one entry
   /// a cell.
   void label(ImageView<std::uint16_t> labels, std::span<InverseDepthMoments> moments,
              std::span<std::uint16_t> scratch) const noexcept;
-
- private:
-  bool some_are_small() const noexcept;
-  void find_shown(std::span<const std::uint16_t> around, std::span<InverseDepthMoments> most) const noexcept;
 };
 
 }  // namespace straightedge::detail

@@ -61,11 +61,11 @@ void mark_whole(const DepthWholeCells& task, const DepthSurfaces& surfaces, std:
   }
 }
 
-void spread_labels(const std::uint16_t* cells, const std::uint16_t* shown, std::int32_t side,
-                   std::int32_t width, std::uint16_t* __restrict labels) noexcept {
-  const auto label_of = [shown](std::uint16_t state) noexcept {
-    const bool is_whole = state != DepthWholeCells::border && (state & DepthWholeCells::mark) != 0;
-    return is_whole ? shown[(state & ~DepthWholeCells::mark) - 1] : std::uint16_t{0};
+void spread_labels(const std::uint16_t* cells, std::int32_t side, std::int32_t width,
+                   std::uint16_t* __restrict labels) noexcept {
+  const auto label_of = [](std::uint16_t state) noexcept {
+    const bool is_whole = (state != DepthWholeCells::border) & ((state & DepthWholeCells::mark) != 0);
+    return is_whole ? static_cast<std::uint16_t>(state & ~DepthWholeCells::mark) : std::uint16_t{0};
   };
   std::int32_t x = 0;
   for (; side == 8 && x + 8 <= width; x += 8) {
