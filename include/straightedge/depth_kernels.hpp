@@ -71,8 +71,12 @@ struct DepthSurfaces {
 
 /// Cells one after another, and what takes a plane's cell for wholly the plane's.
 struct DepthWholeCells {
-  static constexpr std::uint16_t mark = 0x4000, border = 0xFFFF;
+  /// Several planes are around a cell; `inner_border`: one that is wholly its own plane's, as far as the
+  /// others around do not matter.
+  static constexpr std::uint16_t border = 0xFFFF, inner_border = 0xFFFE;
+  static constexpr std::uint16_t mark = 0x4000;
   DepthCellRows at;
+  const std::uint16_t* own = nullptr;  ///< the cells' labels
   std::int32_t cells = 0;
   float readings = 0;  ///< all of a cell's pixels
   /// Deviation of 1/z as in DepthChoice; the mean squared residual lies below `most` of its squares.
@@ -104,7 +108,8 @@ struct DepthKernels {
   void (*choose_planes)(const DepthCellTask& task, const DepthSurfaces& surfaces,
                         DepthCellPlanes& planes) noexcept;
 
-  /// Adds DepthWholeCells::mark to the labels of cells that are wholly their plane's; 0 and `border` stay.
+  /// Adds DepthWholeCells::mark to the labels of cells that are wholly the plane's; such a `border` cell
+  /// becomes `inner_border`, others stay.
   void (*mark_whole)(const DepthWholeCells& task, const DepthSurfaces& surfaces,
                      std::uint16_t* labels) noexcept;
   /// A row of pixels from a row of labels with such marks: the label where the mark is, and 0 elsewhere.

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <span>
 
+#include "base/lowest_bit.hpp"
+#include "four_labels.hpp"
 #include "straightedge/image.hpp"
 
 namespace straightedge::detail {
@@ -18,36 +20,35 @@ struct LabelsAround {
   static constexpr std::uint16_t mark = 0xC000;
 
   static constexpr std::size_t most = 9;
-  std::array<std::uint16_t, most> labels{};
+  std::array<std::uint16_t, most> labels;
   std::size_t count = 0;
 
   LabelsAround() noexcept = default;
   LabelsAround(Size size, std::span<const std::uint16_t> of_cells, std::int32_t x, std::int32_t y) noexcept {
-    if (x > 0 && y > 0 && x + 1 < size.width && y + 1 < size.height) {
-      const std::uint16_t* above = of_cells.data() + static_cast<std::ptrdiff_t>(y - 1) * size.width + x - 1;
-      const std::uint16_t *here = above + size.width, *below = here + size.width;
-      const auto label = static_cast<std::uint16_t>(above[0] & ~mark);
-      std::uint32_t differ = 0;
-      for (int i = 0; i < 3; ++i) differ |= (above[i] ^ label) | (here[i] ^ label) | (below[i] ^ label);
-      if ((differ & ~std::uint32_t{mark}) == 0) {
-        add(label);
-        return;
-      }
-    }
     const std::int32_t left = std::max<std::int32_t>(x - 1, 0), right = std::min(x + 1, size.width - 1);
+    std::array<std::uint64_t, 3> rows{};
     for (std::int32_t j = std::max<std::int32_t>(y - 1, 0); j <= std::min(y + 1, size.height - 1); ++j) {
       const std::uint16_t* row = of_cells.data() + static_cast<std::ptrdiff_t>(j) * size.width;
-      for (std::int32_t i = left; i <= right; ++i) add(static_cast<std::uint16_t>(row[i] & ~mark));
+      // At a border the cell itself stands for what is not there.
+      const std::uint64_t three = row[left] | std::uint64_t{row[x]} << 16U | std::uint64_t{row[right]} << 32U;
+      rows[static_cast<std::size_t>(j - y + 1)] = three & ~(mark * four_ones);
     }
+    find(rows);
   }
 
  private:
-  void add(std::uint16_t label) noexcept {
-    if (label == 0 || (count > 0 && labels[count - 1] == label)) return;
-    for (std::size_t k = 0; k + 1 < count; ++k) {
-      if (labels[k] == label) return;
+  /// Each label that is left, and no more of it.
+  void find(std::array<std::uint64_t, 3>& rows) noexcept {
+    for (std::size_t first = 0; first < rows.size(); ++first) {
+      while (rows[first] != 0) {
+        const auto same = static_cast<std::uint16_t>(rows[first] >> (lowest_bit(rows[first]) & 0x30U));
+        for (std::size_t i = first; i < rows.size(); ++i) {
+          const std::uint64_t equal = ~not_zero(rows[i] ^ same * four_ones) >> 15U & four_ones;
+          rows[i] &= ~(equal * 0xFFFFU);
+        }
+        labels[count++] = same;
+      }
     }
-    labels[count++] = label;
   }
 };
 

@@ -33,11 +33,8 @@ PixelChoice::PixelChoice(const PixelLabeller& work, ImageView<std::uint16_t> lab
   choice_.sigmas = static_cast<float>(gate.sigmas);
 }
 
-void PixelChoice::label_cell(std::int32_t x, std::int32_t y) noexcept {
-  const int finest = work_.cells.finest();
-  const Size size = work_.cells.size(finest);
-  const LabelsAround around(size, work_.cell_labels, x, y);
-  const std::int32_t cell = DepthCells::side_of(finest), left = x * cell, top = y * cell;
+void PixelChoice::label_cell(std::int32_t x, std::int32_t y, const LabelsAround& around) noexcept {
+  const std::int32_t cell = DepthCells::side_of(work_.cells.finest()), left = x * cell, top = y * cell;
   const std::int32_t right = std::min(left + cell, labels_.width),
                      bottom = std::min(top + cell, labels_.height);
   choice_.planes = static_cast<std::int32_t>(around.count);

@@ -25,7 +25,7 @@ class PixelChoice {
               std::span<InverseDepthMoments> moments) noexcept;
 
   /// Labels the pixels of smallest cell (x, y), and counts them in their planes' sums.
-  void label_cell(std::int32_t x, std::int32_t y) noexcept;
+  void label_cell(std::int32_t x, std::int32_t y, const LabelsAround& around) noexcept;
 
  private:
   static constexpr std::int32_t side = DepthChoice::side, side_around = side + 2;

@@ -23,13 +23,10 @@ constexpr float far_away = 25;
 
 // What a cell is, in place of the one plane that it and all cells around have.
 constexpr std::uint16_t none = 0;  // no plane anywhere around
-constexpr std::uint16_t border = DepthWholeCells::border;
+// Several planes; DepthWholeCells::border, which is greater, says the same.
+constexpr std::uint16_t inner_border = DepthWholeCells::inner_border;
 // Beside that plane: all of the cell is its.
 constexpr std::uint16_t whole = DepthWholeCells::mark;
-
-constexpr bool is_whole(std::uint16_t state) noexcept {
-  return (state & whole) != 0 && state != border;
-}
 
 struct Pixels {
   const PixelLabeller& work;
@@ -53,74 +50,10 @@ struct Pixels {
                            only};
     count(work.kernels.label_block(block, labels.row(top) + left, elements_apart(labels)), only);
   }
-};
-
-/// What the smallest cells are, row by row.
-struct States {
-  const PixelLabeller& work;
-  std::span<std::uint16_t> all;
-
-  int finest() const noexcept { return work.cells.finest(); }
-  Size size() const noexcept { return work.cells.size(finest()); }
-  std::uint16_t* row(std::int32_t y) const noexcept {
-    return all.data() + static_cast<std::ptrdiff_t>(y) * size().width;
-  }
-  /// The one plane around each cell, if it is the only one.
-  void look_around(std::int32_t y) const noexcept {
-    const std::uint16_t* here = work.cell_labels.data() + (row(y) - all.data());
-    work.kernels.look_around(y > 0 ? here - size().width : here, here,
-                             y + 1 < size().height ? here + size().width : here, size().width, row(y));
-  }
-  /// Border cells that are clear take their plane; then cells that are whole are marked.
-  void settle(std::int32_t y) const noexcept {
-    const std::ptrdiff_t first = row(y) - all.data();
-    for (std::int32_t x = 0; x < size().width; ++x) {
-      if (row(y)[x] == border && is_clear(x, y))
-        row(y)[x] = work.cell_labels[static_cast<std::size_t>(first + x)];
-    }
-    DepthWholeCells task{work.cells.rows(finest(), static_cast<std::size_t>(first)), size().width};
-    const std::int32_t side = DepthCells::side_of(finest());
-    task.readings = static_cast<float>(side * side);
-    // As in PlaneGate::inverse_noise.
-    const bool fixed = work.gate.fixed_m > 0;
-    task.noise = fixed ? 0.0F : static_cast<float>(work.gate.inverse_sigma);
-    task.noise_of_square =
-        static_cast<float>(fixed ? work.gate.fixed_m / work.gate.sigmas : work.gate.floor_m);
-    task.most = fits_well;
-    work.kernels.mark_whole(task, work.surfaces, row(y));
-  }
-
- private:
-  /// Whether the cell is its own plane's, without a doubt: it fits well, and each of the others around does
-  /// not at all, or lies on one side of its own all over the cell.
-  bool is_clear(std::int32_t x, std::int32_t y) const noexcept {
-    const auto place =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(size().width) + static_cast<std::size_t>(x);
-    const std::uint16_t own = work.cell_labels[place];
-    if (own == 0) return false;
-    const DepthCell cell = work.cells.at(finest(), place);
-    const auto noise = static_cast<float>(work.gate.inverse_noise(static_cast<double>(cell.q)));
-    const float unit = cell.n * (noise * noise);
-    const DepthSurface surface = surface_of(work.surfaces, own - 1U);
-    if (!(squared_residuals(cell, surface) < fits_well * unit)) return false;
-    const LabelsAround near(size(), work.cell_labels, x, y);
-    for (std::size_t k = 0; k < near.count; ++k) {
-      if (near.labels[k] == own) continue;
-      const DepthSurface other = surface_of(work.surfaces, near.labels[k] - 1U);
-      if (!(squared_residuals(cell, other) > far_away * unit) && cross(surface, other, x, y)) return false;
-    }
-    return true;
-  }
-  /// Whether two surfaces change sides within a cell, as its corners tell.
-  bool cross(const DepthSurface& a, const DepthSurface& b, std::int32_t x, std::int32_t y) const noexcept {
-    const auto side = static_cast<float>(DepthCells::side_of(finest()));
-    const float left = static_cast<float>(x) * side - static_cast<float>(work.cells.middle_u()),
-                top = static_cast<float>(y) * side - static_cast<float>(work.cells.middle_v());
-    int nearer = 0;
-    for (const float u : {left, left + (side - 1)}) {
-      for (const float v : {top, top + (side - 1)}) nearer += value_at(a, u, v) > value_at(b, u, v) ? 1 : 0;
-    }
-    return nearer != 0 && nearer != 4;
+  /// All pixels of a square.
+  void give_all(std::int32_t left, std::int32_t top, std::int32_t side, std::uint16_t label) const noexcept {
+    for (std::int32_t y = top; y < top + side; ++y) std::fill_n(labels.row(y) + left, side, label);
+    count(side * side, label);
   }
 };
 
@@ -181,66 +114,121 @@ constexpr InverseDepthMoments times(const InverseDepthMoments& m, double factor)
           m.vv * factor, m.q * factor, m.uq * factor, m.vq * factor, m.qq * factor};
 }
 
-/// A row of smallest cells.
+/// A row of smallest cells, and what they are.
 struct CellRow {
   const Pixels& pixels;
-  const States& states;
+  const PixelLabeller& work;
+  std::uint16_t* states;
   std::int32_t y;
 
+  /// The one plane around each cell, if it is the only one; then those that are wholly a plane's are marked.
+  void find_states() const noexcept {
+    const std::int32_t width = size().width;
+    const std::uint16_t* here = own();
+    work.kernels.look_around(y > 0 ? here - width : here, here, y + 1 < size().height ? here + width : here,
+                             width, states);
+    DepthWholeCells task{work.cells.rows(finest(), first()), here, width};
+    task.readings = static_cast<float>(side() * side());
+    // As in PlaneGate::inverse_noise.
+    const bool fixed = work.gate.fixed_m > 0;
+    task.noise = fixed ? 0.0F : static_cast<float>(work.gate.inverse_sigma);
+    task.noise_of_square =
+        static_cast<float>(fixed ? work.gate.fixed_m / work.gate.sigmas : work.gate.floor_m);
+    task.most = fits_well;
+    work.kernels.mark_whole(task, work.surfaces, states);
+  }
   /// Whole cells give all of their pixels their label, the others' get none.
   void spread() const noexcept {
-    const std::int32_t side = DepthCells::side_of(states.finest()), top = y * side;
+    const std::int32_t top = y * side();
     const ImageView<std::uint16_t>& labels = pixels.labels;
     std::uint16_t* out = labels.row(top);
-    pixels.work.kernels.spread_labels(states.row(y), side, labels.width, out);
-    for (std::int32_t j = top + 1; j < std::min(top + side, labels.height); ++j) {
+    work.kernels.spread_labels(states, side(), labels.width, out);
+    for (std::int32_t j = top + 1; j < std::min(top + side(), labels.height); ++j) {
       std::copy(out, out + labels.width, labels.row(j));
     }
   }
   /// Counts the pixels of whole cells, and labels those of the others.
   void label_rest(PixelChoice& choice) const noexcept {
-    const DepthCells& cells = pixels.work.cells;
-    const std::int32_t side = DepthCells::side_of(states.finest()), width = states.size().width;
-    const std::uint16_t* of = states.row(y);
-    const auto first = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
-    const float* readings = cells.rows(states.finest(), first).first;
-    for (std::int32_t x = 0; x < width;) {
+    const float* readings = work.cells.rows(finest(), first()).first;
+    for (std::int32_t x = 0; x < size().width;) {
+      const std::uint16_t state = states[x];
       std::int32_t end = x + 1;
-      if (of[x] == border) {
-        choice.label_cell(x, y);
-      } else if (of[x] != none && readings[x] > 0) {
-        while (end < width && (end - x) * side < longest_run && of[end] == of[x]) ++end;
-        if (is_whole(of[x])) {
-          pixels.count((end - x) * side * side, static_cast<std::uint16_t>(of[x] & ~unsigned{whole}));
+      if (state >= inner_border) {
+        label_border(x, choice);
+      } else if (state != none && readings[x] > 0) {
+        while (end < size().width && (end - x) * side() < longest_run && states[end] == state) ++end;
+        if (state >= whole) {
+          pixels.count((end - x) * side() * side(), static_cast<std::uint16_t>(state & ~unsigned{whole}));
         } else {
-          pixels.fill(x * side, y * side, {(end - x) * side, side}, of[x]);
+          pixels.fill(x * side(), y * side(), {(end - x) * side(), side()}, state);
         }
       }
       x = end;
     }
+  }
+
+ private:
+  int finest() const noexcept { return work.cells.finest(); }
+  Size size() const noexcept { return work.cells.size(finest()); }
+  std::int32_t side() const noexcept { return DepthCells::side_of(finest()); }
+  std::size_t first() const noexcept {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size().width);
+  }
+  const std::uint16_t* own() const noexcept { return work.cell_labels.data() + first(); }
+
+  void label_border(std::int32_t x, PixelChoice& choice) const noexcept {
+    const LabelsAround near(size(), work.cell_labels, x, y);
+    if (states[x] == inner_border && is_clear(x, near)) {
+      pixels.give_all(x * side(), y * side(), side(), own()[x]);
+    } else {
+      choice.label_cell(x, y, near);
+    }
+  }
+  /// Whether each of the others around does not fit at all, or lies on one side of the cell's own plane all
+  /// over the cell.
+  bool is_clear(std::int32_t x, const LabelsAround& near) const noexcept {
+    const DepthCell cell = work.cells.at(finest(), first() + static_cast<std::size_t>(x));
+    const auto noise = static_cast<float>(work.gate.inverse_noise(static_cast<double>(cell.q)));
+    const DepthSurface surface = surface_of(work.surfaces, own()[x] - 1U);
+    for (std::size_t k = 0; k < near.count; ++k) {
+      if (near.labels[k] == own()[x]) continue;
+      const DepthSurface other = surface_of(work.surfaces, near.labels[k] - 1U);
+      if (!(squared_residuals(cell, other) > far_away * (cell.n * (noise * noise))) &&
+          cross(surface, other, x))
+        return false;
+    }
+    return true;
+  }
+  /// Whether two surfaces change sides within a cell, as its corners tell.
+  bool cross(const DepthSurface& a, const DepthSurface& b, std::int32_t x) const noexcept {
+    const auto across = static_cast<float>(side());
+    const float left = static_cast<float>(x) * across - static_cast<float>(work.cells.middle_u()),
+                top = static_cast<float>(y) * across - static_cast<float>(work.cells.middle_v());
+    int nearer = 0;
+    for (const float u : {left, left + (across - 1)}) {
+      for (const float v : {top, top + (across - 1)}) nearer += value_at(a, u, v) > value_at(b, u, v) ? 1 : 0;
+    }
+    return nearer != 0 && nearer != 4;
   }
 };
 
 }  // namespace
 
 void PixelLabeller::label(ImageView<std::uint16_t> labels, std::span<InverseDepthMoments> moments,
-                          std::span<std::uint16_t> scratch) const noexcept {
+                          std::span<std::uint16_t> states) const noexcept {
   for (InverseDepthMoments& m : moments) m = {};
   const Pixels pixels{*this, labels, moments};
-  const States states{*this, scratch};
   PixelChoice choice(*this, labels, moments);
   fill_surfaces(planes, cells, surfaces);
-  const std::int32_t height = states.size().height;
-  for (std::int32_t y = 0; y < height; ++y) states.look_around(y);
-  for (std::int32_t y = 0; y < height; ++y) states.settle(y);
   CellMoments{*this, moments}.add_all();
   // The means, while n counts pixels.
   for (InverseDepthMoments& m : moments) {
     if (m.n > 0) m = times(m, 1 / m.n);
     m.n = 0;
   }
-  for (std::int32_t y = 0; y < height; ++y) {
-    const CellRow row{pixels, states, y};
+  for (std::int32_t y = 0; y < cells.size(cells.finest()).height; ++y) {
+    const CellRow row{pixels, *this, states.data(), y};
+    row.find_states();
     row.spread();
     row.label_rest(choice);
   }

@@ -22,10 +22,10 @@ struct PixelLabeller {
   const DepthKernels& kernels;
   const DepthSurfaces& surfaces;  ///< room for the planes as the cells see them
 
-  /// `moments`: of each plane's cells, multiplied so that n is the number of its pixels. `scratch`: one entry
-  /// a cell.
+  /// `moments`: of each plane's cells, multiplied so that n is the number of its pixels. `states`: room for
+  /// a row of cells.
   void label(ImageView<std::uint16_t> labels, std::span<InverseDepthMoments> moments,
-             std::span<std::uint16_t> scratch) const noexcept;
+             std::span<std::uint16_t> states) const noexcept;
 };
 
 }  // namespace straightedge::detail

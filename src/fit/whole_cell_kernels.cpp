@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::int32_t at_once = 16;
 
-/// Some cells and the planes that they have: the first one where they have none.
+/// Some cells and the planes that they have, −1 where they have none.
 struct LabelledCells {
   const float* first;
   std::ptrdiff_t apart;
@@ -23,7 +23,7 @@ struct LabelledCells {
     const float *n = row(0), *u = row(1), *v = row(2), *q = row(3), *uu = row(4), *uv = row(5), *vv = row(6),
                 *uq = row(7), *vq = row(8), *qq = row(9);
     for (std::int32_t i = 0; i < count; ++i) {
-      const std::int32_t k = plane[i];
+      const std::int32_t k = plane[i] > 0 ? plane[i] : 0;
       const float xx = s.xx[k], xy = s.xy[k], yy = s.yy[k];
       const float a = (s.x[k] + 2 * xx * u[i]) + xy * v[i], b = (s.y[k] + xy * u[i]) + 2 * yy * v[i];
       const float bend = xx * u[i] * u[i] + xy * u[i] * v[i] + yy * v[i] * v[i];
@@ -42,11 +42,12 @@ void mark_whole(const DepthWholeCells& task, const DepthSurfaces& surfaces, std:
     const std::int32_t left = task.cells - first, count = left < at_once ? left : at_once;
     LabelledCells cells(task.at, first);
     std::uint16_t* of = labels + first;
+    const std::uint16_t* own = task.own + first;
     std::int32_t some = 0;
     for (std::int32_t i = 0; i < count; ++i) {
-      const bool has_plane = (of[i] != 0) & (of[i] != DepthWholeCells::border);
-      cells.plane[i] = has_plane ? of[i] - 1 : 0;
-      some |= has_plane ? 1 : 0;
+      const std::int32_t label = of[i] == DepthWholeCells::border ? own[i] : of[i];
+      cells.plane[i] = label - 1;
+      some |= label;
     }
     if (some == 0) continue;
     cells.find_squares(surfaces, count);
@@ -54,9 +55,11 @@ void mark_whole(const DepthWholeCells& task, const DepthSurfaces& surfaces, std:
     for (std::int32_t i = 0; i < count; ++i) {
       const float of_square = task.noise_of_square * (q[i] * q[i]);
       const float noise = of_square > task.noise ? of_square : task.noise;
-      const bool fits = (cells.squares[i] < task.most * (n[i] * (noise * noise))) & (n[i] == task.readings);
-      const bool has_plane = (of[i] != 0) & (of[i] != DepthWholeCells::border);
-      of[i] = static_cast<std::uint16_t>(of[i] | ((fits & has_plane) ? DepthWholeCells::mark : 0));
+      const bool fits = (cells.squares[i] < task.most * (n[i] * (noise * noise))) & (n[i] == task.readings) &
+                        (cells.plane[i] >= 0);
+      const std::int32_t whole =
+          of[i] == DepthWholeCells::border ? DepthWholeCells::inner_border : of[i] | DepthWholeCells::mark;
+      of[i] = static_cast<std::uint16_t>(fits ? whole : of[i]);
     }
   }
 }
@@ -64,7 +67,7 @@ void mark_whole(const DepthWholeCells& task, const DepthSurfaces& surfaces, std:
 void spread_labels(const std::uint16_t* cells, std::int32_t side, std::int32_t width,
                    std::uint16_t* __restrict labels) noexcept {
   const auto label_of = [](std::uint16_t state) noexcept {
-    const bool is_whole = (state != DepthWholeCells::border) & ((state & DepthWholeCells::mark) != 0);
+    const bool is_whole = (state >= DepthWholeCells::mark) & (state < DepthWholeCells::inner_border);
     return is_whole ? static_cast<std::uint16_t>(state & ~DepthWholeCells::mark) : std::uint16_t{0};
   };
   std::int32_t x = 0;

@@ -224,28 +224,37 @@ TEST_CASE("every set of kernels marks the cells that are full and fit their plan
     for (std::int32_t i = 0; i < task.cells; ++i) {
       if (random.below(2) == 0) task.at.first[i] = task.readings;
     }
-    std::vector<std::uint16_t> labels(static_cast<std::size_t>(task.cells) + 1), before, plain;
-    for (std::uint16_t& label : labels) {
-      label = static_cast<std::uint16_t>(random.below(static_cast<std::uint32_t>(surfaces.count) + 1));
-      if (random.below(8) == 0) label = DepthWholeCells::border;
+    const auto labels_by_chance = [&] {
+      std::vector<std::uint16_t> labels(static_cast<std::size_t>(task.cells) + 1);
+      for (std::uint16_t& label : labels)
+        label = static_cast<std::uint16_t>(random.below(static_cast<std::uint32_t>(surfaces.count) + 1));
+      return labels;
+    };
+    const std::vector<std::uint16_t> own = labels_by_chance();
+    task.own = own.data();
+    std::vector<std::uint16_t> before = labels_by_chance();
+    for (std::uint16_t& label : before) {
+      if (random.below(4) == 0) label = DepthWholeCells::border;
     }
-    before = plain = labels;
+    std::vector<std::uint16_t> plain = before, labels = before;
     kernels.mark_whole(task, surfaces.view(), labels.data());
     plain_depth_kernels.mark_whole(task, surfaces.view(), plain.data());
     CHECK(labels == plain);
     CHECK(labels.back() == before.back());
     for (std::size_t i = 0; i + 1 < labels.size(); ++i) {
-      const bool has_plane = before[i] != 0 && before[i] != DepthWholeCells::border;
+      const bool at_border = before[i] == DepthWholeCells::border;
+      const std::uint16_t of = at_border ? own[i] : before[i];
       const auto at = static_cast<std::ptrdiff_t>(i);
       const DepthCell cell = cell_at({task.at.first + at, apart});
-      if (!has_plane || cell.n != task.readings) {
+      if (of == 0 || cell.n != task.readings) {
         REQUIRE(labels[i] == before[i]);
         continue;
       }
       const float noise = std::max(task.noise, task.noise_of_square * cell.q * cell.q);
       const double limit = static_cast<double>(task.most * cell.n * noise * noise);
-      const auto squares = static_cast<double>(squared_residuals(cell, surfaces.at(before[i] - 1U)));
-      if (squares < limit * (1 - 1e-4)) REQUIRE(labels[i] == (before[i] | DepthWholeCells::mark));
+      const auto squares = static_cast<double>(squared_residuals(cell, surfaces.at(of - 1U)));
+      const int marked = at_border ? DepthWholeCells::inner_border : before[i] | DepthWholeCells::mark;
+      if (squares < limit * (1 - 1e-4)) REQUIRE(labels[i] == marked);
       if (squares > limit * (1 + 1e-4)) REQUIRE(labels[i] == before[i]);
     }
   });

@@ -107,15 +107,15 @@ TEST_CASE("a row of cells gives its pixels the labels of whole cells, in every s
     std::vector<std::uint16_t> cells(static_cast<std::size_t>((width + side - 1) / side));
     for (std::uint16_t& cell : cells) {
       const std::uint16_t label = static_cast<std::uint16_t>(1 + random.below(256));
-      const std::uint16_t kinds[] = {0, DepthWholeCells::border, label,
+      const std::uint16_t kinds[] = {0, DepthWholeCells::border, DepthWholeCells::inner_border, label,
                                      static_cast<std::uint16_t>(label | DepthWholeCells::mark)};
-      cell = kinds[random.below(4)];
+      cell = kinds[random.below(5)];
     }
     std::vector<std::uint16_t> found(static_cast<std::size_t>(width) + 1, 4711);
     kernels.spread_labels(cells.data(), side, width, found.data());
     for (std::int32_t x = 0; x < width; ++x) {
       const std::uint16_t cell = cells[static_cast<std::size_t>(x / side)];
-      const bool whole = cell != DepthWholeCells::border && cell >= DepthWholeCells::mark;
+      const bool whole = cell < DepthWholeCells::inner_border && cell >= DepthWholeCells::mark;
       REQUIRE(found[static_cast<std::size_t>(x)] == (whole ? cell - DepthWholeCells::mark : 0));
     }
     REQUIRE(found.back() == 4711);
