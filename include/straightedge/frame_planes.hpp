@@ -143,8 +143,7 @@ class FramePlanes {
   std::span<std::uint32_t> contacts_;              // touching cells of each pair of planes
   std::span<std::uint32_t> solid_, cells_of_;      // of each plane's cells those in solid pieces, and all
   std::span<InverseDepthMoments> moments_;
-  // What becomes of each plane: an index, or gone; in the end their order. What becomes of each label.
-  std::span<std::uint16_t> becomes_, new_label_;
+  std::span<std::uint16_t> becomes_, new_label_;  // each plane (an index, or gone), and each label
   bool prepared_ = false;
 };
 
