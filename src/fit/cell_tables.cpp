@@ -10,9 +10,16 @@
 namespace straightedge::detail {
 namespace {
 
-/// The top bit of each that touches the other of its place: both are some plane's, and not the same.
-constexpr std::uint64_t touching(std::uint64_t labels, std::uint64_t others) noexcept {
-  return not_zero(labels) & not_zero(others) & not_zero(labels ^ others);
+constexpr std::int32_t at_once = 16;
+
+/// Bit i: cell i touches the other of its place. Both are some plane's, and not the same.
+std::uint32_t bits_of_touching(const std::uint16_t* labels, const std::uint16_t* others) noexcept {
+  std::uint32_t touching = 0;
+  for (std::int32_t i = 0; i < at_once; i += 4) {
+    const std::uint64_t a = four(labels + i), b = four(others + i);
+    touching |= lowest_of((not_zero(a) & not_zero(b) & not_zero(a ^ b)) >> 15U) << i;
+  }
+  return touching;
 }
 
 }  // namespace
@@ -23,9 +30,8 @@ void count_contacts(Size size, std::span<const std::uint16_t> labels,
   const auto count = [&](std::uint16_t a, std::uint16_t b) noexcept {
     if (a != b && a != 0 && b != 0) ++of_pair(contacts, a - 1U, b - 1U);
   };
-  const auto count_touching = [&](std::uint64_t top_bits, const std::uint16_t* a,
-                                  const std::uint16_t* b) noexcept {
-    for (std::uint32_t some = lowest_of(top_bits >> 15U); some != 0; some &= some - 1) {
+  const auto count_sixteen = [&](const std::uint16_t* a, const std::uint16_t* b) noexcept {
+    for (std::uint32_t some = bits_of_touching(a, b); some != 0; some &= some - 1) {
       const std::uint32_t i = lowest_bit(some);
       ++of_pair(contacts, a[i] - 1U, b[i] - 1U);
     }
@@ -34,10 +40,9 @@ void count_contacts(Size size, std::span<const std::uint16_t> labels,
   for (std::int32_t y = 0; y < size.height; ++y, row += size.width) {
     const std::uint16_t* below = y + 1 < size.height ? row + size.width : row;
     std::int32_t x = 0;
-    for (; x + 4 < size.width; x += 4) {
-      const std::uint64_t here = four(row + x);
-      count_touching(touching(here, four(row + x + 1)), row + x, row + x + 1);
-      count_touching(touching(here, four(below + x)), row + x, below + x);
+    for (; x + at_once < size.width; x += at_once) {
+      count_sixteen(row + x, row + x + 1);
+      count_sixteen(row + x, below + x);
     }
     for (; x < size.width; ++x) {
       if (x + 1 < size.width) count(row[x], row[x + 1]);

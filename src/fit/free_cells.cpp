@@ -4,11 +4,22 @@
 
 #include <algorithm>
 
+#include "undecided_cells.hpp"
+
 namespace straightedge::detail {
 namespace {
 
 constexpr std::uint16_t taken = 0xFFFF;
 constexpr std::int32_t reach = 2;
+
+constexpr std::int32_t at_once = 16;
+
+/// Bit i: cell i has at least so many readings.
+std::uint32_t bits_of_read(const std::uint8_t* counts, std::int32_t cells, std::int32_t least) noexcept {
+  std::uint32_t read = 0;
+  for (std::int32_t i = 0; i < cells; ++i) read |= static_cast<std::uint32_t>(counts[i] >= least) << i;
+  return read;
+}
 
 struct Grid {
   std::span<const std::uint16_t> labels;
@@ -20,16 +31,23 @@ struct Grid {
   std::size_t place(std::int32_t x, std::int32_t y) const noexcept {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x);
   }
-  /// Four cells beside one another; nearly everywhere they are.
-  bool all_taken(std::size_t i) const noexcept {
-    return labels[i] != 0 && labels[i + 1] != 0 && labels[i + 2] != 0 && labels[i + 3] != 0;
-  }
   bool is_free(std::int32_t x, std::int32_t y) const noexcept {
-    return labels[place(x, y)] == 0 && counts[place(x, y)] >= least_readings;
+    return x >= 0 && x < size.width && labels[place(x, y)] == 0 && counts[place(x, y)] >= least_readings;
   }
-  bool is_middle(std::int32_t x, std::int32_t y) const noexcept {
-    return x > 0 && y > 0 && x + 1 < size.width && y + 1 < size.height && is_free(x, y) &&
-           is_free(x - 1, y) && is_free(x + 1, y) && is_free(x, y - 1) && is_free(x, y + 1);
+  /// Bit i: cell (x + i, y) is free, of sixteen.
+  std::uint32_t free_from(std::int32_t x, std::int32_t y) const noexcept {
+    const std::int32_t cells = std::min(at_once, size.width - x);
+    const std::uint32_t without = bits_of_free(&labels[place(x, y)], cells);
+    return without == 0 ? 0 : without & bits_of_read(&counts[place(x, y)], cells, least_readings);
+  }
+  /// Bit i: cell (x + i, y), not of the first row or the last, is a middle.
+  std::uint32_t middles_from(std::int32_t x, std::int32_t y) const noexcept {
+    const std::uint32_t here = free_from(x, y);
+    if (here == 0) return 0;
+    const auto before = static_cast<std::uint32_t>(is_free(x - 1, y)),
+               after = static_cast<std::uint32_t>(is_free(x + at_once, y));
+    const std::uint32_t row = here & (here << 1U | before) & (here >> 1U | after << (at_once - 1));
+    return row == 0 ? 0 : row & free_from(x, y - 1) & free_from(x, y + 1);
   }
   /// Marks with 0 the cells without a plane around a middle.
   void mark_around(std::int32_t x, std::int32_t y) const noexcept {
@@ -52,12 +70,12 @@ std::uint32_t free_cells(const DepthCells& cells, std::span<const std::uint16_t>
   const std::int32_t side = DepthCells::side_of(finest);
   const Grid grid{cell_labels, marks, cells.counts(), side * side / 2, cells.size(finest)};
   std::uint32_t middles = 0;
-  for (std::int32_t y = 0; y < grid.size.height; ++y) {
-    for (std::int32_t x = 0; x < grid.size.width; ++x) {
-      while (x + 4 <= grid.size.width && grid.all_taken(grid.place(x, y))) x += 4;
-      if (x == grid.size.width || !grid.is_middle(x, y)) continue;
-      ++middles;
-      grid.mark_around(x, y);
+  for (std::int32_t y = 1; y + 1 < grid.size.height; ++y) {
+    for (std::int32_t x = 0; x < grid.size.width; x += at_once) {
+      for_bits(grid.middles_from(x, y), [&](std::uint32_t i) noexcept {
+        ++middles;
+        grid.mark_around(x + static_cast<std::int32_t>(i), y);
+      });
     }
   }
   return middles;

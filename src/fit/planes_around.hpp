@@ -32,8 +32,14 @@ struct PlanesAround {
     Rows rows{};
     std::size_t word = 0;
     for (std::int32_t j = std::max<std::int32_t>(y - 1, 0); j <= bottom; ++j, word += words) {
-      std::array<std::uint16_t, 4 * words> row{};
       const std::uint16_t* from = labels.data() + static_cast<std::ptrdiff_t>(j) * size.width;
+      if (end - begin == static_cast<std::int32_t>(cells) + 2) {
+        rows[word] = four(from + begin) & no_marks;
+        rows[word + 1] = four(from + begin + 4) & no_marks;
+        rows[word + 2] = (from[begin + 8] | std::uint64_t{from[begin + 9]} << 16U) & no_marks;
+        continue;
+      }
+      std::array<std::uint16_t, 4 * words> row{};
       std::copy(from + begin, from + end, row.begin() + (begin - x + 1));
       for (std::size_t i = 0; i < words; ++i) rows[word + i] = four(&row[4 * i]) & no_marks;
     }
