@@ -39,15 +39,9 @@ constexpr std::uint16_t with_trust(std::uint16_t label, Trust trust) noexcept {
 constexpr std::uint16_t label_of(std::uint16_t marked) noexcept {
   return static_cast<std::uint16_t>(marked & ~LabelsAround::mark);
 }
-/// Each label with how far it is trusted.
-void mark(DepthCellPlanes& found) noexcept {
-  for (std::int32_t i = 0; i < DepthCellTask::cells; ++i) {
-    const float mean = found.mean[i];
-    const std::int32_t trust =
-        static_cast<std::int32_t>(mean < beyond_doubt) + static_cast<std::int32_t>(mean < settled_below);
-    const std::int32_t marks = found.label[i] == 0 ? 0 : trust << trust_shift;
-    found.label[i] = static_cast<std::uint16_t>(found.label[i] | marks);
-  }
+/// How far a cell's label is trusted, from its mean squared residual.
+constexpr Trust trust_in(float mean) noexcept {
+  return static_cast<Trust>(static_cast<int>(mean < beyond_doubt) + static_cast<int>(mean < settled_below));
 }
 
 constexpr std::int32_t at_once = DepthCellTask::cells, parents_at_once = at_once / 2;
@@ -187,16 +181,11 @@ struct Level {
     const std::int32_t groups = (work.cells.size(level).width + at_once - 1) / at_once;
     return work.rough[static_cast<std::size_t>(y * groups + x / at_once)];
   }
-  /// Labels, each with what is known of it.
-  DepthCellPlanes choose(const DepthCellTask& task) const noexcept {
-    DepthCellPlanes found;
-    work.kernels.choose_planes(task, surfaces, found);
-    if (is_finest()) {
-      for (std::uint16_t& label : found.label) label = label == 0 ? label : fresh(label);
-    } else {
-      mark(found);
-    }
-    return found;
+  /// The label that was found, with what is known of it.
+  std::uint16_t with_marks(const DepthCellPlanes& found, std::size_t i) const noexcept {
+    const std::uint16_t label = found.label[i];
+    const std::uint16_t marked = is_finest() ? fresh(label) : with_trust(label, trust_in(found.mean[i]));
+    return label == 0 ? label : marked;
   }
   static std::uint16_t fresh(std::uint16_t label) noexcept {
     return static_cast<std::uint16_t>(label | CellLabeller::fresh);
@@ -207,8 +196,9 @@ struct Level {
     task.at = {undecided.numbers.data(), at_once};
     task.open = (1U << undecided.count) - 1U;
     task.planes = static_cast<std::int32_t>(work.planes.size());
-    const DepthCellPlanes found = choose(task);
-    for (std::size_t i = 0; i < undecided.count; ++i) *undecided.label[i] = found.label[i];
+    DepthCellPlanes found;
+    work.kernels.choose_planes(task, surfaces, found);
+    for (std::size_t i = 0; i < undecided.count; ++i) *undecided.label[i] = with_marks(found, i);
     undecided.count = 0;
   }
   void write_row(Group& group, std::int32_t x, std::int32_t y) const noexcept {
@@ -223,18 +213,17 @@ struct Level {
     });
     task.open = group.open & free;
     if (task.open == 0) return;
-    const DepthCellPlanes found = choose(task);
-    std::uint32_t none = 0;
-    for_bits(task.open, [&](std::uint32_t i) noexcept {
-      if (found.label[i] != DepthCellPlanes::undecided) {
-        out[i] = found.label[i];
-        none |= static_cast<std::uint32_t>(out[i] == 0) << i;
-        return;
-      }
+    DepthCellPlanes found;
+    work.kernels.choose_planes(task, surfaces, found);
+    const std::uint32_t later = task.open & bits_of_undecided(found);
+    for_bits(task.open & ~later, [&](std::uint32_t i) noexcept { out[i] = with_marks(found, i); });
+    for_bits(later, [&](std::uint32_t i) noexcept {
       undecided.add(work.cells.rows(level, place + i), out + i);
       if (undecided.is_full()) decide();
     });
-    if (is_finest()) rough(x, y) = static_cast<std::uint16_t>(rough(x, y) | none);
+    if (!is_finest()) return;
+    const std::uint32_t none = bits_of_free(out, std::min(at_once, work.cells.size(level).width - x));
+    rough(x, y) = static_cast<std::uint16_t>(rough(x, y) | (none & task.open & ~later));
   }
   void label_below(std::int32_t X, std::int32_t Y) const noexcept {
     const std::int32_t bottom = std::min(2 * Y + 2, work.cells.size(level).height);

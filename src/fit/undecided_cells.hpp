@@ -21,6 +21,15 @@ inline std::uint32_t bits_of_free(const std::uint16_t* labels, std::int32_t coun
   return free;
 }
 
+/// Bit i: cell i is not decided.
+inline std::uint32_t bits_of_undecided(const DepthCellPlanes& found) noexcept {
+  static_assert(DepthCellPlanes::undecided >> 15U == 1, "no label has the top bit");
+  std::uint32_t undecided = 0;
+  for (std::int32_t i = 0; i < DepthCellTask::cells; i += 4)
+    undecided |= lowest_of(four(found.label + i) >> 15U) << i;
+  return undecided;
+}
+
 /// Calls visit(i) for each bit i.
 template <class Visit>
 void for_bits(std::uint32_t bits, const Visit& visit) noexcept {
