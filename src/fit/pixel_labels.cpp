@@ -187,17 +187,18 @@ struct CellRow {
   /// Whether each of the others around does not fit at all, or lies on one side of the cell's own plane all
   /// over the cell.
   bool is_clear(std::int32_t x, const LabelsAround& near) const noexcept {
-    const DepthCell cell = work.cells.at(finest(), first() + static_cast<std::size_t>(x));
-    const auto noise = static_cast<float>(work.gate.inverse_noise(static_cast<double>(cell.q)));
     const DepthSurface surface = surface_of(work.surfaces, own()[x] - 1U);
     for (std::size_t k = 0; k < near.count; ++k) {
       if (near.labels[k] == own()[x]) continue;
       const DepthSurface other = surface_of(work.surfaces, near.labels[k] - 1U);
-      if (!(squared_residuals(cell, other) > far_away * (cell.n * (noise * noise))) &&
-          cross(surface, other, x))
-        return false;
+      if (cross(surface, other, x) && !is_far(x, other)) return false;
     }
     return true;
+  }
+  bool is_far(std::int32_t x, const DepthSurface& surface) const noexcept {
+    const DepthCell cell = work.cells.at(finest(), first() + static_cast<std::size_t>(x));
+    const auto noise = static_cast<float>(work.gate.inverse_noise(static_cast<double>(cell.q)));
+    return squared_residuals(cell, surface) > far_away * (cell.n * (noise * noise));
   }
   /// Whether two surfaces change sides within a cell, as its corners tell.
   bool cross(const DepthSurface& a, const DepthSurface& b, std::int32_t x) const noexcept {
