@@ -114,8 +114,8 @@ class FramePlanes {
   std::span<std::uint16_t> small_cell_labels() const noexcept {
     return cell_labels_[static_cast<std::size_t>(cells_.finest())];
   }
-  void refit(const PinholeCamera& camera, std::uint32_t first_new) noexcept;
-  void join(const detail::PlaneSurfaces& fitting, std::uint32_t first_new) noexcept;
+  void refit(const PinholeCamera& camera) noexcept;
+  void join(const detail::PlaneSurfaces& fitting) noexcept;
   void keep() noexcept;
   void rename_cells(std::span<const std::uint16_t> by) noexcept;
   void sort_by_cells() noexcept;

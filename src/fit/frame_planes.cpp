@@ -53,7 +53,7 @@ void FramePlanes::assign_cells() noexcept {
       .label(cell_labels_);
 }
 
-void FramePlanes::refit(const PinholeCamera& camera, std::uint32_t first_new) noexcept {
+void FramePlanes::refit(const PinholeCamera& camera) noexcept {
   // Step 4.
   const detail::PlaneSurfaces fitting(size_, camera, options_);
   fitting.add_fresh(cells_, small_cell_labels(), sums_.first(count_));
@@ -61,18 +61,17 @@ void FramePlanes::refit(const PinholeCamera& camera, std::uint32_t first_new) no
     const bool stays = sums_[k].n >= min_pixels_ / 2.0 && fitting.fit(sums_[k], surfaces_[k], squares_[k]);
     becomes_[k] = stays ? k : detail::gone;
   }
-  join(fitting, first_new);
+  join(fitting);
   keep();
 }
 
-void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::uint32_t first_new) noexcept {
+void FramePlanes::join(const detail::PlaneSurfaces& fitting) noexcept {
   detail::Contacts contacts{cells_.size(cells_.finest()), small_cell_labels(), contacts_};
   detail::QuadraticFit fit;
   for (std::uint16_t i = 0; i < count_; ++i) {
     if (becomes_[i] != i) continue;
-    const std::uint32_t first = std::max<std::uint32_t>(i + 1U, first_new);
-    if (first == count_ || !fitting.solve(sums_[i], fit)) continue;
-    for (std::uint32_t j = first; j < count_; ++j) {
+    if (i + 1U == count_ || !fitting.solve(sums_[i], fit)) continue;
+    for (std::uint32_t j = i + 1U; j < count_; ++j) {
       if (becomes_[j] != j || fitting.are_far(sums_[i], fit, sums_[j])) continue;
       contacts.i = i;
       contacts.j = j;
@@ -88,7 +87,7 @@ void FramePlanes::join(const detail::PlaneSurfaces& fitting, std::uint32_t first
       candidates_[i].confidence = std::max(candidates_[i].confidence, candidates_[j].confidence);
       becomes_[j] = i;
       (void)fitting.solve(sums_[i], fit);
-      j = first - 1;  // the joined plane has moved: those that were refused may fit now
+      j = i;  // the joined plane has moved: those that were refused may fit now
     }
   }
 }
@@ -172,10 +171,9 @@ Status FramePlanes::search_round(const DepthView& depth, const PlaneSearch& sear
     surfaces_[count_ + k] = {.plane = room[k].fit.plane};
     sums_[count_ + k] = {};
   }
-  const std::uint32_t before = count_;
   count_ += added;
   assign_cells();
-  refit(depth.camera, before);
+  refit(depth.camera);
   judge(depth.camera);
   return Status::ok;
 }
