@@ -98,10 +98,13 @@ void spread_marks(std::int32_t side, ImageView<std::uint16_t> labels) noexcept {
       continue;
     }
     // From the right, where no mark is overwritten that is still needed.
-    for (std::int32_t x = (labels.width - 1) / side; x >= 0; --x) {
+    std::int32_t x = (labels.width - 1) / side;
+    for (; x >= 0 && (side != 4 || (x + 1) * side > labels.width); --x) {
       const std::uint16_t mark = row[x];
       std::fill(row + x * side, row + std::min((x + 1) * side, labels.width), mark);
     }
+    // The usual side: four at once.
+    for (; x >= 0; --x) std::fill_n(row + 4 * x, 4, std::uint16_t{row[x]});
   }
 }
 

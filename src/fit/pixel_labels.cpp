@@ -79,12 +79,11 @@ struct CellMoments {
       for (std::int32_t i = 0; i < right - left; ++i) differ |= row[i] ^ first;
     }
     if (differ != 0) return false;
-    if (first != 0) {
-      const auto place =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(squares.width) + static_cast<std::size_t>(x);
-      moments[first - 1U].add(work.cells.moments(level, place));
-    }
+    add_cell(level, static_cast<std::ptrdiff_t>(y) * squares.width + x, first);
     return true;
+  }
+  void add_cell(int level, std::ptrdiff_t place, std::uint16_t label) const noexcept {
+    if (label != 0) moments[label - 1U].add(work.cells.moments(level, static_cast<std::size_t>(place)));
   }
   void add_all() const noexcept {
     const int most = std::min(2, DepthCells::levels - 1 - work.cells.finest());
@@ -102,7 +101,10 @@ struct CellMoments {
       for (std::int32_t x = 2 * X; x < std::min(2 * X + 2, size.width); ++x) {
         if (add(x, y, doublings) || doublings == 0) continue;
         for (std::int32_t j = 2 * y; j < std::min(2 * y + 2, smallest.height); ++j) {
-          for (std::int32_t i = 2 * x; i < std::min(2 * x + 2, smallest.width); ++i) add(i, j, 0);
+          for (std::int32_t i = 2 * x; i < std::min(2 * x + 2, smallest.width); ++i) {
+            const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(j) * smallest.width + i;
+            add_cell(work.cells.finest(), place, work.cell_labels[static_cast<std::size_t>(place)]);
+          }
         }
       }
     }
