@@ -21,15 +21,17 @@ struct CellPieces {
   std::span<std::int32_t> of_run;
 
   void find() const noexcept;
-  /// Calls visit(first cell, cell after the last, label, cells of the piece) for every run with a label.
+  /// Calls visit(first cell, cell after the last, label) for every run with a label.
   template <class Visit>
   void for_runs(const Visit& visit) const noexcept {
     for (std::int32_t begin = 0, end = 0; begin < size.width * size.height; begin = end) {
       end = end_of(begin);
       const std::uint16_t label = label_at(begin);
-      if (label != 0) visit(begin, end, label, -at(root(begin)));
+      if (label != 0) visit(begin, end, label);
     }
   }
+  /// Of the piece that the run with this first cell is of.
+  std::int32_t cells_of(std::int32_t run) const noexcept { return -at(root(run)); }
 
  private:
   std::uint16_t label_at(std::int32_t cell) const noexcept { return labels[static_cast<std::size_t>(cell)]; }

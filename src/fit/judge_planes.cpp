@@ -49,17 +49,16 @@ void FramePlanes::count_solid(const PinholeCamera& camera) noexcept {
   std::fill_n(loose_.begin(), count_, detail::QuadraticSums{});
   const detail::CellPieces pieces{cells_.size(cells_.finest()), labels, visited_, runs_};
   pieces.find();
-  pieces.for_runs(
-      [&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) noexcept {
-        const auto run = static_cast<std::uint32_t>(end - begin);
-        cells_of_[label - 1U] += run;
-        if (cells * of_cell >= least) {
-          solid_[label - 1U] += run;
-        } else {
-          const auto again = static_cast<std::uint16_t>(label | detail::CellLabeller::fresh);
-          std::fill(labels.begin() + begin, labels.begin() + end, again);
-        }
-      });
+  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label) noexcept {
+    const auto run = static_cast<std::uint32_t>(end - begin);
+    cells_of_[label - 1U] += run;
+    if (pieces.cells_of(begin) * of_cell >= least) {
+      solid_[label - 1U] += run;
+    } else {
+      const auto again = static_cast<std::uint16_t>(label | detail::CellLabeller::fresh);
+      std::fill(labels.begin() + begin, labels.begin() + end, again);
+    }
+  });
   detail::PlaneSurfaces(size_, camera, options_).add_fresh(cells_, labels, loose_);
 }
 
@@ -86,7 +85,7 @@ void FramePlanes::clear_round() noexcept {
   const std::int32_t width = size.width;
   std::int32_t top = size.height, bottom = 0;
   const detail::CellPieces pieces{size, small_cell_labels(), visited_, runs_};
-  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t) noexcept {
+  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label) noexcept {
     if (becomes_[label - 1U] != gone_with_cells) return;
     clear_cells(begin, end);
     top = std::min(top, begin / width);
@@ -113,8 +112,9 @@ void FramePlanes::drop_crumbs() noexcept {
   const std::span<std::uint16_t> labels = small_cell_labels();
   // As the last judgement found them.
   const detail::CellPieces pieces{cells_.size(cells_.finest()), labels, visited_, runs_};
-  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t, std::int32_t cells) noexcept {
-    if (cells * of_cell < least) std::fill(labels.begin() + begin, labels.begin() + end, std::uint16_t{0});
+  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t) noexcept {
+    if (pieces.cells_of(begin) * of_cell < least)
+      std::fill(labels.begin() + begin, labels.begin() + end, std::uint16_t{0});
   });
 }
 

@@ -61,8 +61,8 @@ TEST_CASE("rows of any length are one piece") {
   const detail::CellPieces pieces{size, labels, length, of_run};
   pieces.find();
   std::int32_t cells = 0;
-  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t, std::int32_t of_piece) {
-    CHECK(of_piece == 400000);
+  pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t) {
+    CHECK(pieces.cells_of(begin) == 400000);
     cells += end - begin;
   });
   CHECK(cells == 400000);
@@ -81,11 +81,11 @@ TEST_CASE("runs know the size of their piece, as flooding finds it") {
     const detail::CellPieces pieces{size, labels, length, of_run};
     pieces.find();
     std::vector<std::int32_t> found(labels.size());
-    pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label, std::int32_t cells) {
+    pieces.for_runs([&](std::int32_t begin, std::int32_t end, std::uint16_t label) {
       REQUIRE(begin / size.width == (end - 1) / size.width);
       for (std::int32_t i = begin; i < end; ++i) {
         REQUIRE(labels[static_cast<std::size_t>(i)] == label);
-        found[static_cast<std::size_t>(i)] = cells;
+        found[static_cast<std::size_t>(i)] = pieces.cells_of(begin);
       }
     });
     CHECK(found == expected);
