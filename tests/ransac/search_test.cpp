@@ -108,7 +108,7 @@ TEST_CASE("A strip of two cells along the right or lower border has a candidate 
       bool has_strip = false;
       for (const ProposedPlane& c : search({q.data(), size}).candidates) {
         bool near = true;
-        for (const std::int32_t along : {0, length - 1})
+        for (const std::int32_t along : {std::int32_t{0}, std::int32_t{length - 1}})
           for (const std::int32_t across : {side - thick, side - 1}) {
             const std::int32_t u = below ? along : across, v = below ? across : along;
             near = near && std::abs(c.fit.plane.at(u, v) - strip.at(u, v)) < 3 * scene::sigma;
