@@ -36,9 +36,8 @@ class PlaneSurfaces;
 ///     is a strip of something round: it leaves with its cells.
 ///  6. Steps 2 to 5 again on what is left over, if a plane may be in it; cells keep the planes they have.
 ///  7. Crumbs (pieces of a few cells) lose their plane. Pixels: a full cell that fits well is its plane's as
-///  a
-///     whole where all around agree, or none near crosses its own in it; else a pixel within the gate is its
-///     plane's, or if cells around differ, the nearest one's by the mean over its surface's 3x3 pixels.
+///     a whole where all around agree, or none near crosses its own in it; else a pixel within the gate is
+///     its plane's, or if cells around differ, the nearest one's by the mean over its surface's 3x3 pixels.
 ///  8. Last fit to the cells of each label; planes with too few pixels leave; largest first.
 ///
 /// Comparison of range image segmentation: A. Hoover et al., IEEE PAMI 18(7), 1996, doi:10.1109/34.506791.
