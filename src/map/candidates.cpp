@@ -22,18 +22,19 @@ HoughOptions relaxed(HoughOptions options) {
 
 }  // namespace
 
-Status find_edges(GrayView edges, const GradientField& field, const LineMapOptions& options,
+Status find_edges(GrayView edges, const EdgeSources& sources, const LineMapOptions& options,
                   const KernelSet& kernels, EdgeRoom& room, std::vector<WallLine>& lines,
                   LineMapReport& report) {
   HoughOptions hough = first_round(options);
   const Status may = hough_grid(edges.size(), hough).status;
   if (may != Status::ok) return may;  // before a picture too large takes memory
-  room.points.find(edges, field, options.canny.norm, kernels);
+  room.points.find(edges, sources, options.canny.norm, kernels);
   hough.kernels = kernels.hough;
   RefitOptions refit;
   refit.max_gap = std::min(options.max_gap, 8.0);
   for (int round = 0; round < max_rounds; ++round) {
-    const std::span<const HoughSegment> rough = room.hough.run(room.points.mask(), {field.x, field.y}, hough);
+    const std::span<const HoughSegment> rough =
+        room.hough.run(room.points.mask(), {sources.directions.x, sources.directions.y}, hough);
     if (room.hough.result.status != Status::ok) return room.hough.result.status;
     if (round == 0) report.hough = room.hough.result;
     ++report.rounds;

@@ -20,9 +20,9 @@ struct EdgeRoom {
 
 /// From edge pixels to straight edges: rounds of the Hough transform, each on the pixels that the one before
 /// left, with lower demands after the first. Every segment is refit between the pixels and takes its own.
-/// An empty magnitude of the field: that of its gradient, by the norm of the options. The report gets the
+/// Without a magnitude of positions: that of their gradient, by the norm of the options. The report gets the
 /// counts. Statuses are those of HoughLines.
-Status find_edges(GrayView edges, const GradientField& field, const LineMapOptions& options,
+Status find_edges(GrayView edges, const EdgeSources& sources, const LineMapOptions& options,
                   const KernelSet& kernels, EdgeRoom& room, std::vector<WallLine>& lines,
                   LineMapReport& report);
 

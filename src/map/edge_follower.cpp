@@ -7,7 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "map/edge_reading.hpp"
 #include "map/straight_part.hpp"
 #include "straightedge/square_root.hpp"
 
@@ -69,7 +68,7 @@ Course course_of(const refitting::Corridor& strip, bool steep, std::int32_t step
 }  // namespace
 
 void EdgeFollower::start(std::int32_t x, std::int32_t y) {
-  const double dx = field_.x.at(x, y), dy = field_.y.at(x, y);
+  const double dx = sources_.directions.x.at(x, y), dy = sources_.directions.y.at(x, y);
   const double size = square_root(dx * dx + dy * dy);
   steep_ = std::fabs(dx) > std::fabs(dy);
   strip_ = {.px = static_cast<double>(x),
@@ -94,7 +93,7 @@ void EdgeFollower::start(std::int32_t x, std::int32_t y) {
 template <bool steep>
 void EdgeFollower::walk(Way& way, std::int32_t steps) {
   const EdgeBits& edges = *edges_;
-  const ImageView<const std::int16_t> field_x = field_.x, field_y = field_.y;
+  const ImageView<const std::int16_t> field_x = sources_.directions.x, field_y = sources_.directions.y;
   const Pixel seed = seed_;
   const auto room = way.visited + static_cast<std::size_t>(steps * most_in_step);
   if (way.pixels.size() < room) way.pixels.resize(2 * room);
@@ -180,12 +179,12 @@ StripRule EdgeFollower::read_places() {
   const auto read = [&](const Pixel& pixel) {
     if (!pixel.inside || ++left_out < every) return;
     left_out = 0;
-    read_edge(field_, column(pixel), row(pixel), batch);
+    read_edge(sources_, column(pixel), row(pixel), batch);
   };
   batch.count = 0;
   for (std::size_t i = ways_[1].up_to_last; i > 0; --i) read(ways_[1].pixels[i - 1]);
   for (std::size_t i = 0; i < ways_[0].up_to_last; ++i) read(ways_[0].pixels[i]);
-  if (field_.magnitude.data == nullptr) kernels_->edge_magnitudes(batch, options_.norm == GradientNorm::l2);
+  if (!sources_.have_magnitude()) kernels_->edge_magnitudes(batch, options_.norm == GradientNorm::l2);
   kernels_->edge_places(batch);
   StripBatch& places = *strip_places_;
   places.count = batch.count;
@@ -243,7 +242,7 @@ std::uint32_t EdgeFollower::take_pixels() {
 }
 
 bool EdgeFollower::follow(std::int32_t x, std::int32_t y, double min_length, WallLine& line) {
-  if (field_.x.at(x, y) == 0 && field_.y.at(x, y) == 0) return false;
+  if (sources_.directions.x.at(x, y) == 0 && sources_.directions.y.at(x, y) == 0) return false;
   start(x, y);
   std::int32_t steps = first_steps;
   const double few = 2 * min_density * first_steps;
@@ -260,10 +259,10 @@ bool EdgeFollower::follow(std::int32_t x, std::int32_t y, double min_length, Wal
   return true;
 }
 
-std::vector<WallLine> EdgeFollower::run(EdgeBits& edges, const GradientField& field,
+std::vector<WallLine> EdgeFollower::run(EdgeBits& edges, const EdgeSources& sources,
                                         const FollowOptions& options, const PictureRowKernels& kernels) {
   edges_ = &edges;
-  field_ = field;
+  sources_ = sources;
   options_ = options;
   kernels_ = &kernels;
   std::vector<WallLine> lines;

@@ -10,6 +10,7 @@
 
 #include "hough/corridor.hpp"
 #include "map/edge_bits.hpp"
+#include "map/edge_reading.hpp"
 #include "map/picture_rows.hpp"
 #include "map/wall_line.hpp"
 #include "straightedge/edge_position.hpp"
@@ -21,7 +22,7 @@ struct FollowOptions {
   double min_length = 9;                 ///< pixels; shorter edges are none
   double max_gap = 8;                    ///< pixels; a longer hole ends an edge
   std::size_t places = 48;               ///< of an edge that are found between the pixels, at most; up to 128
-  GradientNorm norm = GradientNorm::l1;  ///< of the field's gradient, where it has no magnitude
+  GradientNorm norm = GradientNorm::l1;  ///< of the gradient, where positions have no magnitude
 };
 
 /// Straight edges without a vote: each is followed from one of its pixels to both ends. Every pixel is
@@ -47,7 +48,7 @@ struct FollowOptions {
 class EdgeFollower {
  public:
   /// The edges in the order in which they were found. Of `edges` those stay that no line took.
-  std::vector<WallLine> run(EdgeBits& edges, const GradientField& field, const FollowOptions& options,
+  std::vector<WallLine> run(EdgeBits& edges, const EdgeSources& sources, const FollowOptions& options,
                             const PictureRowKernels& kernels);
 
  private:
@@ -86,7 +87,7 @@ class EdgeFollower {
   std::int32_t row(const Pixel& p) const { return steep_ ? p.step : p.across; }
 
   EdgeBits* edges_ = nullptr;
-  GradientField field_;
+  EdgeSources sources_;
   FollowOptions options_;
   const PictureRowKernels* kernels_ = nullptr;
   // The edge that is being followed.

@@ -58,12 +58,13 @@ std::uint32_t count_edges(const EdgeWords& words) {
 }  // namespace
 
 Status EdgePlanes::detect(GrayView gray, const CannyOptions& options, const KernelSet& kernels,
-                          Blurred blurred_picture) {
+                          Blurred blurred_picture, Wanted wanted) {
   const Status valid = Canny::check(gray.size(), options);
   if (valid != Status::ok) return valid;
   const CannyRowOptions rows{.kernels = kernels.canny_rows};
   const bool may = detail::CannyRowRecipe::check(gray.size(), options, rows) == Status::ok;
-  return may ? by_rows(gray, options, *kernels.canny_rows, blurred_picture) : by_stages(gray, options);
+  return may ? by_rows(gray, options, *kernels.canny_rows, blurred_picture, wanted)
+             : by_stages(gray, options);
 }
 
 void EdgePlanes::reserve(std::size_t bytes) {
@@ -73,7 +74,7 @@ void EdgePlanes::reserve(std::size_t bytes) {
 }
 
 Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const CannyRowKernels& kernels,
-                           Blurred blurred_picture) {
+                           Blurred blurred_picture, Wanted wanted) {
   const Size size = gray.size();
   Arena measure = Arena::measure();
   RowMemory::take(measure, size, options, blurred_picture);
@@ -94,20 +95,24 @@ Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const Can
   for (std::int32_t y = 0; y < size.height; ++y) {
     recipe.push(gray.row(y));
     while (recipe.next(memory.classes.data())) {
+      if (wanted == Wanted::gradient) continue;
       const std::int32_t row = recipe.rows_out() - 1;
       kernels.pack_classes(memory.classes.data(), words.row(row), size.width);
       if (row > 0) fill.flow_down(row - 1);
     }
   }
-  fill.flow_down(size.height - 1);
-  fill.sweep_up(0, size.height);
-  words_ = words;
+  words_ = {};
+  if (wanted == Wanted::edges) {
+    fill.flow_down(size.height - 1);
+    fill.sweep_up(0, size.height);
+    words_ = words;
+  }
   kernels_ = &kernels;
   blurred = {};
   if (blurred_picture == Blurred::kept) blurred = all_rows(memory.rows.blurred, size);
   dx = all_rows(memory.rows.dx, size);
   dy = all_rows(memory.rows.dy, size);
-  result = {Status::ok, options.low, options.high, recipe.strong(), count_edges(words)};
+  result = {Status::ok, options.low, options.high, recipe.strong(), count_edges(words_)};
   return Status::ok;
 }
 
@@ -146,20 +151,6 @@ GrayView EdgePlanes::to_pixels() {
   for (std::int32_t y = 0; y < dx.height; ++y)
     kernels_->spread_edges(words_.row(y), pixels_.view().row(y), dx.width);
   return pixels_;
-}
-
-void EdgePlanes::magnitude(GradientNorm norm, Image<std::int32_t>& out) const {
-  if (out.size() != dx.size()) out = Image<std::int32_t>::for_overwrite(dx.size());
-  for (std::int32_t y = 0; y < dx.height; ++y) {
-    const std::int16_t* const along = dx.row(y);
-    const std::int16_t* const down = dy.row(y);
-    std::int32_t* const row = out.view().row(y);
-    const std::int32_t width = dx.width;
-    for (std::int32_t x = 0; x < width; ++x) {
-      const std::int32_t a = along[x], b = down[x];
-      row[x] = norm == GradientNorm::l1 ? (a < 0 ? -a : a) + (b < 0 ? -b : b) : a * a + b * b;
-    }
-  }
 }
 
 }  // namespace straightedge

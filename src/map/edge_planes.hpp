@@ -18,6 +18,9 @@ namespace straightedge {
 /// Whether all of the blurred picture is kept, or only what Canny needs of it at a time.
 enum class Blurred : std::uint8_t { kept, dropped };
 
+/// Whether edges are asked for, or the gradient alone.
+enum class Wanted : std::uint8_t { edges, gradient };
+
 /// What Canny leaves behind: edges, and of the stages before them those that a line map reads again.
 class EdgePlanes {
  public:
@@ -28,19 +31,16 @@ class EdgePlanes {
   /// The results of canny.hpp, bit for bit. Row by row with the kernels given, with automatic thresholds
   /// stage by stage.
   Status detect(GrayView gray, const CannyOptions& options, const KernelSet& kernels,
-                Blurred blurred_picture = Blurred::kept);
+                Blurred blurred_picture = Blurred::kept, Wanted wanted = Wanted::edges);
 
-  /// The edges: as bits, or 255 in a picture.
+  /// The edges, where they were wanted: as bits, or 255 in a picture.
   void to_bits(EdgeBits& bits) const;
   GrayView to_pixels();
-
-  /// As Canny's: |dx| + |dy| or dx² + dy².
-  void magnitude(GradientNorm norm, Image<std::int32_t>& out) const;
 
  private:
   void reserve(std::size_t bytes);
   Status by_rows(GrayView gray, const CannyOptions& options, const CannyRowKernels& kernels,
-                 Blurred blurred_picture);
+                 Blurred blurred_picture, Wanted wanted);
   Status by_stages(GrayView gray, const CannyOptions& options);
 
   std::unique_ptr<std::byte[]> memory_;

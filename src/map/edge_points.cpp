@@ -57,12 +57,12 @@ void EdgePoints::flush() {
   batch.count = 0;
 }
 
-void EdgePoints::find(GrayView edges, const GradientField& field, GradientNorm norm,
+void EdgePoints::find(GrayView edges, const EdgeSources& sources, GradientNorm norm,
                       const KernelSet& kernels) {
   constexpr std::size_t beyond = 8;  // that the kernel may write behind the row's last column
   kernels_ = kernels.picture_rows;
   reset(edges);
-  own_magnitude_ = field.magnitude.data == nullptr;
+  own_magnitude_ = !sources.have_magnitude();
   norm_ = norm;
   std::vector<std::uint16_t> columns(static_cast<std::size_t>(edges.width) + beyond);
   for (std::int32_t y = 0; y < edges.height; ++y) {
@@ -74,9 +74,9 @@ void EdgePoints::find(GrayView edges, const GradientField& field, GradientNorm n
     const std::int32_t soon = std::min(y + rows_ahead, edges.height - 1);
     for (std::int32_t i = 0; i < count; ++i) {
       const std::int32_t x = columns[static_cast<std::size_t>(i)];
-      __builtin_prefetch(field.x.row(soon) + x);
-      __builtin_prefetch(field.y.row(soon) + x);
-      read_edge(field, x, y, *batch_);
+      __builtin_prefetch(sources.directions.x.row(soon) + x);
+      __builtin_prefetch(sources.directions.y.row(soon) + x);
+      read_edge(sources, x, y, *batch_);
       if (batch_->count == EdgeBatch::room) flush();
     }
   }

@@ -11,6 +11,7 @@
 
 #include "hough/refit_recipe.hpp"
 #include "map/edge_bits.hpp"
+#include "map/edge_reading.hpp"
 #include "map/picture_rows.hpp"
 #include "straightedge/edge_position.hpp"
 #include "straightedge/host/image.hpp"
@@ -27,8 +28,8 @@ namespace straightedge {
 /// rows before, before its eight columns, and before it in these.
 class EdgePoints {
  public:
-  /// All points of `edges`, whose pixels are not 0. An empty magnitude: that of the field's own gradient.
-  void find(GrayView edges, const GradientField& field, GradientNorm norm, const KernelSet& kernels);
+  /// All points of `edges`, whose pixels are not 0. Without a magnitude: that of the gradient of positions.
+  void find(GrayView edges, const EdgeSources& sources, GradientNorm norm, const KernelSet& kernels);
 
   /// 255 where there is an edge pixel that may be used.
   GrayView mask() const { return mask_; }

@@ -10,21 +10,34 @@
 
 namespace straightedge {
 
-/// Adds the edge pixel (x, y) to the batch, with the magnitudes across the edge or, where the field has none,
-/// the gradients that they are made from.
-inline void read_edge(const GradientField& field, std::int32_t x, std::int32_t y, EdgeBatch& batch) noexcept {
+/// Which way edges run, and where between the pixels they lie: mostly the gradient of one picture tells both.
+/// Where the field of positions has no magnitude, it is that of its gradient.
+struct EdgeSources {
+  GradientField directions, positions;
+
+  EdgeSources() = default;
+  EdgeSources(const GradientField& both) : directions(both), positions(both) {}
+  EdgeSources(const GradientField& of_directions, const GradientField& of_positions)
+      : directions(of_directions), positions(of_positions) {}
+
+  bool have_magnitude() const noexcept { return positions.magnitude.data != nullptr; }
+};
+
+/// Adds the edge pixel (x, y) to the batch, with the magnitudes across the edge or, where there are none, the
+/// gradients that they are made from.
+inline void read_edge(const EdgeSources& from, std::int32_t x, std::int32_t y, EdgeBatch& batch) noexcept {
+  const GradientField& field = from.positions;
   constexpr std::int32_t middle = EdgeBatch::around / 2;
   const auto step_down = [](const auto& image) {  // elements from one row to the next
     return image.stride / static_cast<std::ptrdiff_t>(sizeof(*image.data));
   };
   const std::int32_t at = batch.count++;
-  const std::int16_t* const dx = field.x.row(y) + x;
-  const std::int16_t* const dy = field.y.row(y) + x;
+  const std::int16_t along = from.directions.x.at(x, y), down = from.directions.y.at(x, y);
   batch.x[at] = x;
   batch.y[at] = y;
-  batch.dx[at] = *dx;
-  batch.dy[at] = *dy;
-  const bool across_columns = (*dx < 0 ? -*dx : *dx) >= (*dy < 0 ? -*dy : *dy);
+  batch.dx[at] = along;
+  batch.dy[at] = down;
+  const bool across_columns = (along < 0 ? -along : along) >= (down < 0 ? -down : down);
   const std::int32_t place = across_columns ? x : y;
   const std::int32_t places = across_columns ? field.x.width : field.x.height;
   if (place < middle || place + middle >= places) {
@@ -36,6 +49,8 @@ inline void read_edge(const GradientField& field, std::int32_t x, std::int32_t y
     for (std::int32_t k = 0; k < EdgeBatch::around; ++k)
       batch.magnitude[k][at] = magnitude[(k - middle) * step];
   } else {
+    const std::int16_t* const dx = field.x.row(y) + x;
+    const std::int16_t* const dy = field.y.row(y) + x;
     const std::ptrdiff_t step_dx = across_columns ? 1 : step_down(field.x);
     const std::ptrdiff_t step_dy = across_columns ? 1 : step_down(field.y);
     for (std::int32_t k = 0; k < EdgeBatch::around; ++k) {

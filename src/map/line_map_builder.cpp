@@ -64,15 +64,16 @@ std::optional<Failure> refuse(GrayView gray, const LineMapOptions& options) {
 }
 
 struct Edges {
-  EdgePlanes planes;
-  Image<std::int32_t> sharpness;  ///< magnitude of the picture as given, where that is another one
-  bool as_given = true;           ///< the planes are those of the picture as given
+  EdgePlanes planes;     ///< of the stretched picture
+  EdgePlanes given;      ///< of the one as given, where that is another
+  bool as_given = true;  ///< it is the same
 
   /// Directions from the stretched picture, positions from the one as given: stretching cuts off the light
   /// end of each edge and would move it towards the dark.
-  GradientField field() const {
-    if (as_given) return {planes.dx, planes.dy, {}};
-    return {planes.dx, planes.dy, sharpness};
+  EdgeSources sources() const {
+    const GradientField stretched{planes.dx, planes.dy, {}};
+    if (as_given) return stretched;
+    return {stretched, GradientField{given.dx, given.dy, {}}};
   }
 };
 
@@ -81,9 +82,9 @@ Status detect_edges(const Picture& picture, const CannyOptions& options, const K
   // Where stretching has cut nothing off, the stretched picture has its edges where the given one has them.
   edges.as_given = !picture.clipped;
   if (picture.clipped) {
-    const Status status = edges.planes.detect(picture.gray, options, kernels);
+    const Status status =
+        edges.given.detect(picture.gray, options, kernels, Blurred::dropped, Wanted::gradient);
     if (status != Status::ok) return status;
-    edges.planes.magnitude(options.norm, edges.sharpness);
   }
   return edges.planes.detect(picture.stretched, options, kernels);
 }
@@ -175,7 +176,7 @@ Result<LineMapResult> LineMapBuilder::build_coarse(GrayView gray) {
   out.report.canny = planes.result;
   // Step 3.
   planes.to_bits(room_->bits);
-  std::vector<WallLine> lines = room_->follower.run(room_->bits, {planes.dx, planes.dy, {}},
+  std::vector<WallLine> lines = room_->follower.run(room_->bits, GradientField{planes.dx, planes.dy, {}},
                                                     follow_options(options, {}), *kernels_.picture_rows);
   out.report.candidates = out.report.edges = static_cast<std::uint32_t>(lines.size());
   // Step 4.
@@ -215,12 +216,12 @@ Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   // Step 3: straight edges, each with pixels of its own.
   std::vector<WallLine> lines;
   if (options.hough) {
-    status = find_edges(edges.planes.to_pixels(), edges.field(), options, kernels_, room_->candidates, lines,
-                        report);
+    status = find_edges(edges.planes.to_pixels(), edges.sources(), options, kernels_, room_->candidates,
+                        lines, report);
     if (status != Status::ok) return failure_of("the Hough transform", status);
   } else {
     edges.planes.to_bits(room_->bits);
-    lines = room_->follower.run(room_->bits, edges.field(), follow_options(options, picture),
+    lines = room_->follower.run(room_->bits, edges.sources(), follow_options(options, picture),
                                 *kernels_.picture_rows);
     report.candidates = report.edges = static_cast<std::uint32_t>(lines.size());
   }

@@ -94,6 +94,28 @@ TEST_CASE("a bent wall becomes a line on each side of the bend") {
   CHECK(slanted == 2);
 }
 
+TEST_CASE("edges lie where the field of positions says") {
+  for (const double move : {-0.4, 0.0, 0.3}) {
+    support::Canvas canvas(size, 254), moved(size, 254);
+    canvas.paint_box(60, 40, 140, 120);
+    moved.paint_box(60 + move, 40, 140 + move, 120);
+    const support::EdgeScene scene(canvas.picture()), positions(moved.picture());
+    const GradientField without_magnitude{positions.field().x, positions.field().y, {}};
+    int upright = 0;
+    for (const GradientField& of_positions : {positions.field(), without_magnitude}) {
+      EdgeBits bits = bits_of(scene.mask);
+      for (const WallLine& line :
+           EdgeFollower().run(bits, {scene.field(), of_positions}, {}, *best_kernels().picture_rows)) {
+        if (std::fabs(line.ny) > 0.1 || line.length() < 40) continue;
+        ++upright;
+        const double left = 59.5 + move, right = 139.5 + move;  // between the pixels
+        CHECK(line.fit.centroid_x == Approx(line.nx < 0 ? left : right).margin(0.08));
+      }
+    }
+    CHECK(upright == 4);
+  }
+}
+
 TEST_CASE("pixels that edges took are gone, all others stay") {
   support::Canvas canvas(size, 254);
   canvas.paint_box(30, 30, 130, 110);
@@ -162,7 +184,7 @@ TEST_CASE("lone pixels with gradients of chance make no edge") {
       }
     }
     INFO("seed " << seed);
-    CHECK(EdgeFollower().run(bits, {dx, dy, {}}, {}, *best_kernels().picture_rows).size() <= 1);
+    CHECK(EdgeFollower().run(bits, GradientField{dx, dy, {}}, {}, *best_kernels().picture_rows).size() <= 1);
   }
 }
 
@@ -205,7 +227,7 @@ TEST_CASE("pictures of a few pixels have no edges, and do no harm") {
           bits.set(x, y);
         }
       }
-      CHECK(EdgeFollower().run(bits, {dx, dy, {}}, {}, *best_kernels().picture_rows).empty());
+      CHECK(EdgeFollower().run(bits, GradientField{dx, dy, {}}, {}, *best_kernels().picture_rows).empty());
     }
   }
 }

@@ -116,7 +116,8 @@ TEST_CASE("edge points take the squared norm, and pictures of another size one a
     CannyOptions options{.low = 60, .high = 120};
     options.norm = GradientNorm::l2;
     const support::EdgeScene scene(crowded_picture(size, random), options);
-    points.find(scene.mask, {scene.field().x, scene.field().y, {}}, GradientNorm::l2, best_kernels());
+    points.find(scene.mask, GradientField{scene.field().x, scene.field().y, {}}, GradientNorm::l2,
+                best_kernels());
     const HoughSegment segment{12, 12, size.width - 25, 12, 1, 1};
     RefinedSegment expected, found;
     REQUIRE(refit_segment(scene.mask, scene.field(), segment, {}, expected) == Status::ok);

@@ -111,7 +111,7 @@ TEST_CASE("a picture too wide for the Hough transform is refused before it takes
   EdgeRoom room;
   std::vector<WallLine> lines;
   LineMapReport report;
-  CHECK(find_edges(edges, {gradient, gradient, {}}, {}, best_kernels(), room, lines, report) ==
+  CHECK(find_edges(edges, GradientField{gradient, gradient, {}}, {}, best_kernels(), room, lines, report) ==
         Status::too_large);
   CHECK(room.points.size() == Size{});
 }
