@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "draw_plan.hpp"
 #include "straightedge/host/image_file.hpp"
@@ -17,19 +18,29 @@ Image<std::uint8_t> fixture(const std::string& name) {
   return *image;
 }
 
+struct ShippedMap {
+  Image<std::uint8_t> picture;
+  RosMeaning meaning;
+};
+
+ShippedMap shipped_map(const std::string& name) {
+  const auto ros = read_ros_map(std::string(STRAIGHTEDGE_FIXTURES) + "/maps/" + name + "/map.yaml");
+  REQUIRE(static_cast<bool>(ros));
+  auto picture = read_gray_image(ros->image);
+  REQUIRE(static_cast<bool>(picture));
+  return {std::move(*picture), ros->meaning};
+}
+
 }  // namespace
 
 TEST_CASE("the shipped maps become line maps that keep every rule, with and without their thresholds") {
   for (const char* name : {"mrpt", "mrpt_corridor"}) {
     CAPTURE(name);
-    const auto ros = read_ros_map(std::string(STRAIGHTEDGE_FIXTURES) + "/maps/" + name + "/map.yaml");
-    REQUIRE(static_cast<bool>(ros));
-    const auto picture = read_gray_image(ros->image);
-    REQUIRE(static_cast<bool>(picture));
+    const auto [picture, meaning] = shipped_map(name);
     LineMapOptions options;
-    CHECK(plan::build(*picture, options).map.lines.size() >= 8);
-    options.meaning = ros->meaning;
-    const LineMapResult result = plan::build(*picture, options);
+    CHECK(plan::build(picture, options).map.lines.size() >= 8);
+    options.meaning = meaning;
+    const LineMapResult result = plan::build(picture, options);
     CHECK(result.map.lines.size() >= 8);
     CHECK(result.report.picture == PictureKind::map);
     REQUIRE(result.map.image.has_value());
@@ -40,13 +51,10 @@ TEST_CASE("the shipped maps become line maps that keep every rule, with and with
 TEST_CASE("of the ragged walls in maps by laser as much is followed as votes find") {
   for (const char* name : {"mrpt_corridor", "mrpt_malaga"}) {
     CAPTURE(name);
-    const auto ros = read_ros_map(std::string(STRAIGHTEDGE_FIXTURES) + "/maps/" + name + "/map.yaml");
-    REQUIRE(static_cast<bool>(ros));
-    const auto picture = read_gray_image(ros->image);
-    REQUIRE(static_cast<bool>(picture));
-    const auto length = [&](const std::optional<HoughOptions>& hough) {
+    const auto [picture, meaning] = shipped_map(name);
+    const auto length = [&picture = picture, &meaning = meaning](const std::optional<HoughOptions>& hough) {
       double sum = 0;
-      const LineMap map = plan::build(*picture, {.hough = hough, .meaning = ros->meaning}).map;
+      const LineMap map = plan::build(picture, {.hough = hough, .meaning = meaning}).map;
       for (const plan::Found& found : plan::found_in(map)) sum += found.wall.length();
       return sum;
     };

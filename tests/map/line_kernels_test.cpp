@@ -23,6 +23,17 @@ double between(Pcg32& random, double low, double high) {
   return low + (high - low) * random.below(1U << 30U) / (1U << 30U);
 }
 
+/// With sides from `shortest` on, and that many grays.
+Image<std::uint8_t> random_picture(Pcg32& random, std::int32_t shortest, std::uint32_t grays) {
+  const auto side = [&] { return shortest + static_cast<std::int32_t>(random.below(40)); };
+  const std::int32_t width = side();
+  Image<std::uint8_t> picture({width, side()});
+  for (std::int32_t y = 0; y < picture.height(); ++y)
+    for (std::int32_t x = 0; x < width; ++x)
+      picture.at(x, y) = static_cast<std::uint8_t>(random.below(grays));
+  return picture;
+}
+
 /// As many different shapes of an edge as five small numbers make, and large ones.
 std::int32_t random_magnitude(Pcg32& random) {
   const std::uint32_t kind = random.below(8);
@@ -80,12 +91,8 @@ TEST_CASE("every set of kernels samples gray as one place after the other") {
   Pcg32 random(12);
   for (std::int32_t round = 0; round < 200; ++round) {
     CAPTURE(round);
-    const Size size{static_cast<std::int32_t>(2 + random.below(40)),
-                    static_cast<std::int32_t>(2 + random.below(40))};
-    Image<std::uint8_t> picture(size);
-    for (std::int32_t y = 0; y < size.height; ++y)
-      for (std::int32_t x = 0; x < size.width; ++x)
-        picture.at(x, y) = static_cast<std::uint8_t>(random.below(256));
+    const Image<std::uint8_t> picture = random_picture(random, 2, 256);
+    const Size size = picture.size();
     const GrayView view = picture;
     SampleWay way{.pixels = view.data, .stride = view.stride, .width = size.width, .height = size.height};
     way.x = between(random, -5, size.width + 5);
@@ -113,12 +120,8 @@ TEST_CASE("every set of kernels reads the pixels that places lie in") {
   Pcg32 random(14);
   for (std::int32_t round = 0; round < 200; ++round) {
     CAPTURE(round);
-    const Size size{static_cast<std::int32_t>(1 + random.below(40)),
-                    static_cast<std::int32_t>(1 + random.below(40))};
-    Image<std::uint8_t> picture(size);
-    for (std::int32_t y = 0; y < size.height; ++y)
-      for (std::int32_t x = 0; x < size.width; ++x)
-        picture.at(x, y) = static_cast<std::uint8_t>(random.below(255));
+    const Image<std::uint8_t> picture = random_picture(random, 1, 255);  // 255 is what lies outside
+    const Size size = picture.size();
     const GrayView view = picture;
     const SampleWay way{.pixels = view.data,
                         .stride = view.stride,
