@@ -73,7 +73,7 @@ struct PictureRowKernels {
   void (*count_grain)(const std::uint8_t* row, std::int32_t width, GrainCount& count) noexcept;
 
   /// For pixels 1 to width - 2: 1 where all eight neighbours are lighter by more than the contrast. False:
-  /// there is none.
+  /// there is none, and nothing may have been written.
   bool (*find_lone)(const std::uint8_t* above, const std::uint8_t* here, const std::uint8_t* below,
                     std::int32_t width, std::int32_t contrast, std::uint8_t* lone) noexcept;
 
