@@ -24,67 +24,61 @@ std::int32_t cell_at(double position) {
 
 }  // namespace
 
-/// Calls visit(cell) for the cells that the line passes through, some of them more than once.
+/// Calls visit(square) for rectangles of cells that the line lies in, each no further than a cell from it:
+/// of lines along a row or a column one is enough.
 template <class Visit>
-void LineGrid::walk(const WallLine& line, const Visit& visit) const {
-  const int steps = static_cast<int>(std::min(line.length() / (0.5 * side), 1e6)) + 1;
-  for (int k = 0; k <= steps; ++k) {
-    const double s = line.begin + line.length() * k / steps;
-    visit(Cell{cell_at(line.x_at(s)), cell_at(line.y_at(s))});
+void LineGrid::cover(const WallLine& line, double reach, const Visit& visit) {
+  const double x0 = line.x_at(line.begin), y0 = line.y_at(line.begin);
+  const double dx = line.length() * line.tx(), dy = line.length() * line.ty();
+  const double oblique = std::min(std::fabs(dx), std::fabs(dy));
+  const int pieces = static_cast<int>(std::min(oblique / side, 1e6)) + 1;
+  for (int k = 0; k < pieces; ++k) {
+    const double from = static_cast<double>(k) / pieces, to = static_cast<double>(k + 1) / pieces;
+    const auto [left, right] = std::minmax({x0 + from * dx, x0 + to * dx});
+    const auto [top, bottom] = std::minmax({y0 + from * dy, y0 + to * dy});
+    visit(CellSquare{cell_at(left - reach), cell_at(right + reach), cell_at(top - reach),
+                     cell_at(bottom + reach)});
   }
 }
 
 LineGrid::LineGrid(const std::vector<WallLine>& lines, double reach)
-    // A line is sampled every half cell: no place of it, or of the one asked for, is further than a quarter
-    // of a cell from a sample.
-    : ring_(static_cast<std::int32_t>(std::ceil((reach + 0.5 * side) / side))),
-      marks_((lines.size() + 63) / 64) {
-  std::vector<std::pair<Cell, std::uint32_t>> passes;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto index = static_cast<std::uint32_t>(i);
-    walk(lines[i], [&](Cell cell) {
-      if (passes.empty() || passes.back() != std::pair(cell, index)) passes.emplace_back(cell, index);
-    });
+    : reach_(reach), marks_((lines.size() + 63) / 64) {
+  std::vector<std::pair<CellSquare, std::uint32_t>> passes;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    cover(lines[i], 0,
+          [&](const CellSquare& square) { passes.emplace_back(square, static_cast<std::uint32_t>(i)); });
+  if (!passes.empty()) table_ = passes.front().first;
+  for (const auto& [square, line] : passes) {
+    table_ = {std::min(table_.left, square.left), std::max(table_.right, square.right),
+              std::min(table_.top, square.top), std::max(table_.bottom, square.bottom)};
   }
-  if (!passes.empty()) {
-    Cell last = first_ = passes.front().first;
-    for (const auto& [cell, line] : passes) {
-      first_ = {std::min(first_.column, cell.column), std::min(first_.row, cell.row)};
-      last = {std::max(last.column, cell.column), std::max(last.row, cell.row)};
+  // A counting sort: sizes, then starts, then each pass to its places.
+  starts_.resize(number_of(table_.right, table_.bottom) + 2);
+  const auto for_each_cell = [&](const auto& visit) {
+    for (const auto& [square, line] : passes) {
+      for (std::int32_t row = square.top; row <= square.bottom; ++row)
+        for (std::int32_t column = square.left; column <= square.right; ++column)
+          visit(number_of(column, row), line);
     }
-    columns_ = last.column - first_.column + 1;
-    rows_ = last.row - first_.row + 1;
-  }
-  // A counting sort: sizes, then starts, then each pass to its place.
-  starts_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1);
-  for (const auto& [cell, line] : passes) ++starts_[number_of(cell) + 1];
+  };
+  for_each_cell([&](std::size_t cell, std::uint32_t) { ++starts_[cell + 1]; });
   for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-  indices_.resize(passes.size());
+  indices_.resize(starts_.back());
   std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-  for (const auto& [cell, line] : passes) indices_[next[number_of(cell)]++] = line;
-}
-
-/// Marks the lines of the cells of one row, from one column to another.
-void LineGrid::mark(std::int32_t row, std::int32_t from, std::int32_t to) {
-  if (from > to) return;
-  // The cells of a row lie one behind the other, and so do their lines.
-  const std::uint32_t end = starts_[number_of({to, row}) + 1];
-  for (std::uint32_t k = starts_[number_of({from, row})]; k < end; ++k)
-    marks_[indices_[k] / 64] |= std::uint64_t{1} << indices_[k] % 64;
+  for_each_cell([&](std::size_t cell, std::uint32_t line) { indices_[next[cell]++] = line; });
 }
 
 const std::vector<std::uint32_t>& LineGrid::near(const WallLine& line) {
-  std::int32_t left = 0, right = -1, top = 0, bottom = -1;  // what was looked at last
-  walk(line, [&](Cell cell) {
-    const std::int32_t old_left = left, old_right = right, old_top = top, old_bottom = bottom;
-    left = std::max(cell.column - ring_, first_.column);
-    right = std::min(cell.column + ring_, first_.column + columns_ - 1);
-    top = std::max(cell.row - ring_, first_.row);
-    bottom = std::min(cell.row + ring_, first_.row + rows_ - 1);
-    for (std::int32_t row = top; row <= bottom; ++row) {
-      const bool known = row >= old_top && row <= old_bottom && old_left <= old_right;
-      mark(row, left, known ? std::min(right, old_left - 1) : right);
-      if (known) mark(row, std::max(left, old_right + 1), right);
+  cover(line, reach_, [&](const CellSquare& square) {
+    const std::int32_t left = std::max(square.left, table_.left),
+                       right = std::min(square.right, table_.right);
+    if (left > right) return;
+    const std::int32_t bottom = std::min(square.bottom, table_.bottom);
+    for (std::int32_t row = std::max(square.top, table_.top); row <= bottom; ++row) {
+      // The cells of a row lie one behind the other, and so do their lines.
+      const std::uint32_t end = starts_[number_of(right, row) + 1];
+      for (std::uint32_t k = starts_[number_of(left, row)]; k < end; ++k)
+        marks_[indices_[k] / 64] |= std::uint64_t{1} << indices_[k] % 64;
     }
   });
   found_.clear();

@@ -23,22 +23,20 @@ class LineGrid {
   const std::vector<std::uint32_t>& near(const WallLine& line);
 
  private:
-  struct Cell {
-    std::int32_t column = 0, row = 0;
-    bool operator==(const Cell&) const = default;
+  /// Cells from left to right and from top to bottom, all four inside.
+  struct CellSquare {
+    std::int32_t left = 0, right = 0, top = 0, bottom = 0;
   };
   template <class Visit>
-  void walk(const WallLine& line, const Visit& visit) const;
-  std::size_t number_of(Cell cell) const {
-    return static_cast<std::size_t>(cell.row - first_.row) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(cell.column - first_.column);
+  static void cover(const WallLine& line, double reach, const Visit& visit);
+  std::size_t number_of(std::int32_t column, std::int32_t row) const {
+    return static_cast<std::size_t>(row - table_.top) *
+               static_cast<std::size_t>(table_.right - table_.left + 1) +
+           static_cast<std::size_t>(column - table_.left);
   }
-  void mark(std::int32_t row, std::int32_t from, std::int32_t to);
 
-  std::int32_t ring_;
-  // A table over the lines' bounding box.
-  Cell first_;
-  std::int32_t columns_ = 1, rows_ = 1;
+  double reach_;
+  CellSquare table_;                    ///< over all lines
   std::vector<std::uint32_t> starts_;   ///< of each cell's lines, and the end
   std::vector<std::uint32_t> indices_;  ///< of lines, cell by cell
   std::vector<std::uint64_t> marks_;    ///< a bit a line, none set between questions
