@@ -40,14 +40,13 @@ struct Look {
 
 /// Sums of some neighbouring lanes. Those of whole numbers are exact in floats.
 struct Sums {
-  std::uint32_t readings = 0, n = 0;
-  Floats u, uu, r, ur, rr;
+  Floats readings, n, u, uu, r, ur, rr;
 
-  Sums() noexcept { u = uu = r = ur = rr = Floats::all(0); }
+  Sums() noexcept { readings = n = u = uu = r = ur = rr = Floats::all(0); }
   void add(Floats::Mask some, Floats::Mask inside, Floats at, Floats residual) noexcept {
-    readings += count_of(some);
-    if (!inside) return;
-    n += count_of(inside);
+    const Floats one = Floats::all(1);
+    readings = readings.plus(one, some);
+    n = n.plus(one, inside);
     u = u.plus(at, inside);
     uu = uu.plus(at * at, inside);
     r = r.plus(residual, inside);
@@ -105,27 +104,27 @@ void for_groups(const RansacPixels<Q>& row, std::int32_t first, Visit visit) noe
 
 template <class Q>
 RansacPixelSums sum(const RansacPixels<Q>& row) noexcept {
-  alignas(64) float lane[5][lanes];
-  RansacPixelSums out;
+  alignas(64) float lane[7][lanes];
   for (std::int32_t first = 0; first < lanes; first += width) {
     Sums sums;
     for_groups(row, first, [&](Floats::Mask inside, Floats::Mask some, Floats u, Floats r) noexcept {
       sums.add(some, inside, u, r);
     });
-    out.readings += sums.readings;
-    out.n += sums.n;
-    sums.u.store(lane[0] + first);
-    sums.uu.store(lane[1] + first);
-    sums.r.store(lane[2] + first);
-    sums.ur.store(lane[3] + first);
-    sums.rr.store(lane[4] + first);
+    sums.readings.store(lane[0] + first);
+    sums.n.store(lane[1] + first);
+    sums.u.store(lane[2] + first);
+    sums.uu.store(lane[3] + first);
+    sums.r.store(lane[4] + first);
+    sums.ur.store(lane[5] + first);
+    sums.rr.store(lane[6] + first);
   }
-  out.u = fold_whole(lane[0]);
-  out.uu = fold_whole(lane[1]);
-  out.r = fold(lane[2]);
-  out.ur = fold(lane[3]);
-  out.rr = fold(lane[4]);
-  return out;
+  return {.readings = fold_whole(lane[0]),
+          .n = fold_whole(lane[1]),
+          .u = fold_whole(lane[2]),
+          .uu = fold_whole(lane[3]),
+          .r = fold(lane[4]),
+          .ur = fold(lane[5]),
+          .rr = fold(lane[6])};
 }
 
 template <class Q>
