@@ -88,8 +88,8 @@ struct RansacPlanesMemory {
 ///      m_i the readings near number i and k_i the inliers among them, taken over 64 of the inliers.
 ///   6. Contest: planes that the subset cannot tell from the best are refitted to an eighth of all readings,
 ///      those of twice the gate; the one with most inliers there wins.
-///   7. Verify: all readings within the gate, refit to them, count again. Below min_inliers or min_share the
-///      search is over; else its readings leave, and back to 1 until there are max_planes.
+///   7. Verify: all readings within the winner's gate are its inliers, and the plane is refitted to them. Below
+///      min_inliers or min_share the search is over; else they leave, and back to 1 until there are max_planes.
 ///   8. Label: each reading goes to the nearest plane within the gate, and each plane is refitted to its own.
 ///   9. With `split`, into connected pieces, each a plane of its own.
 ///
@@ -99,10 +99,10 @@ struct RansacPlanesMemory {
 ///
 /// Results depend on the seed alone, and no more on the kernels. In a cloud, points that are no readings
 /// change nothing but the places of the others' labels. Time: for each plane hypotheses times a part of the
-/// subset, and two passes over all readings; a cloud of which few points are no readings may take its first
-/// plane twice, because their number is known only then. Memory: 32 bytes a reading of the subset; with
-/// near_radius 16 more of these; 2 bytes a reading for several planes, or pieces; with `split` 20 bytes a
-/// reading more; with gate.fixed_m 18 KB.
+/// subset, and a pass over all readings, with labels two; a cloud of which few points are no readings may
+/// take its first plane twice, because their number is known only then. Memory: 32 bytes a reading of the
+/// subset; with near_radius 16 more of these; 2 bytes a reading for several planes, or pieces; with `split`
+/// 20 bytes a reading more; with gate.fixed_m 18 KB.
 class RansacPlanes {
  public:
   /// 0 for options that `prepare` refuses.

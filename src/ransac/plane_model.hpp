@@ -12,6 +12,7 @@ struct ModelSums {
   InverseDepthMoments inverse;
   PlaneMoments space;
 
+  double count() const noexcept { return inverse.n + space.count; }
   void add(const Reading& r, bool in_space) noexcept {
     if (in_space) {
       space.add({r.x, r.y, r.z}, 9 * r.w * r.w);

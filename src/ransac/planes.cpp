@@ -54,13 +54,10 @@ bool verify(Job& job, const LinearPlane& plane, FoundPlane& found) noexcept {
     if (job.guessed && seen < job.left) return false;
     job.least = least_inliers(job.options, seen);
   }
-  if (!ransac::fit_found(sums, job.readings, found.fit)) return false;
-  const LinearPlane refitted = ransac::to_linear(found.fit.plane, job.readings);
-  const auto label = static_cast<std::uint16_t>(index + 1);
-  found.inliers = job.labels.kept() ? all.label_inliers(refitted, label) : all.count_inliers(refitted, 1);
-  if (found.inliers >= job.least) return true;
-  job.labels.change([&](std::uint16_t l) { return l == label ? std::uint16_t{0} : l; });
-  return false;
+  found.inliers = static_cast<std::uint32_t>(sums.count());
+  if (found.inliers < job.least || !ransac::fit_found(sums, job.readings, found.fit)) return false;
+  if (job.labels.kept()) all.label_inliers(plane, static_cast<std::uint16_t>(index + 1));
+  return true;
 }
 
 /// Steps 6 and 7. False: no plane, or no room for it. A function of its own, whose memory on the stack is

@@ -99,33 +99,26 @@ float away(float residual) noexcept {
 
 /// Labels what the kernels count as inliers.
 template <class Q>
-std::uint32_t label_pixels(const RansacPixels<Q>& row, std::uint16_t label, std::uint16_t* labels) noexcept {
+void label_pixels(const RansacPixels<Q>& row, std::uint16_t label, std::uint16_t* labels) noexcept {
   const float scale = row.scale, a = row.a, c = row.c, constant = row.constant, metres = row.metres;
-  std::int32_t found = 0;
   for (std::int32_t i = 0; i < row.count; ++i) {
     const float q = inverse_of(row.pixels[i], scale);
     const float wide = wide_of(q, constant, metres);
     const std::int32_t near = away(q - (a * static_cast<float>(i) + c)) < wide ? 1 : 0;
     const std::int32_t inside = near & (labels[i] == 0 ? 1 : 0) & is_above(q, wide);
     labels[i] = inside != 0 ? label : labels[i];
-    found += inside;
   }
-  return static_cast<std::uint32_t>(found);
 }
 
-std::uint32_t label_points(const RansacPoints& p, std::uint16_t label, std::uint16_t* labels) noexcept {
+void label_points(const RansacPoints& p, std::uint16_t label, std::uint16_t* labels) noexcept {
   const RansacCoefficients k = p.plane;
-  std::uint32_t found = 0;
   for (std::int32_t i = 0; i < p.count; ++i) {
     const std::ptrdiff_t at = i * p.step;
     const float x = p.x[at] - p.origin_x, y = p.y[at] - p.origin_y, z = p.z[at] - p.origin_z;
     const float e = (k.x * x + k.y * y) + (k.z * z + k.w);
     const bool finite = ((x - x) + (y - y)) + (z - z) == 0;
-    if (labels[i] != 0 || !finite || !(away(e) < p.gate)) continue;
-    labels[i] = label;
-    ++found;
+    if (labels[i] == 0 && finite && away(e) < p.gate) labels[i] = label;
   }
-  return found;
 }
 
 }  // namespace
@@ -206,10 +199,9 @@ std::uint32_t Verify::count_inliers(const LinearPlane& plane, std::uint32_t part
   return found;
 }
 
-std::uint32_t Verify::label_inliers(const LinearPlane& plane, std::uint16_t label) const noexcept {
-  std::uint32_t found = 0;
+void Verify::label_inliers(const LinearPlane& plane, std::uint16_t label) const noexcept {
   const auto in_row = [&](const auto& row, std::int32_t u, std::int32_t v) {
-    found += label_pixels(row, label, labels.row(static_cast<std::size_t>(v)) + u);
+    label_pixels(row, label, labels.row(static_cast<std::size_t>(v)) + u);
   };
   if (readings.is_raw()) {
     for_pixels<std::uint16_t>(readings, labels, plane, gates, 1, in_row);
@@ -218,7 +210,7 @@ std::uint32_t Verify::label_inliers(const LinearPlane& plane, std::uint16_t labe
   } else if (readings.in_space()) {
     CloudBlocks blocks(readings, labels, plane, axis_order(plane), gates);
     blocks.for_each(1, [&](const RansacPoints& block) {
-      found += label_points(block, label, const_cast<std::uint16_t*>(block.labels));
+      label_points(block, label, const_cast<std::uint16_t*>(block.labels));
       const detail::CloudBlock* const from = readings.block;
       for (std::int32_t i = 0; from != nullptr && i < block.count; ++i)
         labels.data[from->number[i]] = from->label[i];
@@ -226,12 +218,9 @@ std::uint32_t Verify::label_inliers(const LinearPlane& plane, std::uint16_t labe
   } else {
     Reading r;
     for (std::uint32_t i = 0; i < readings.count(); ++i) {
-      if (!labels.free(i, 0) || !readings.read(i, r) || !within(plane, r, gates)) continue;
-      labels.data[i] = label;
-      ++found;
+      if (labels.free(i, 0) && readings.read(i, r) && within(plane, r, gates)) labels.data[i] = label;
     }
   }
-  return found;
 }
 
 std::uint32_t Verify::count_free() const noexcept {

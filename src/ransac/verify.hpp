@@ -25,8 +25,8 @@ struct Verify {
   /// How many are within the gate.
   std::uint32_t count_inliers(const LinearPlane& plane, std::uint32_t part) const noexcept;
 
-  /// Gives them the label. Returns how many.
-  std::uint32_t label_inliers(const LinearPlane& plane, std::uint16_t label) const noexcept;
+  /// Gives them the label.
+  void label_inliers(const LinearPlane& plane, std::uint16_t label) const noexcept;
 
   /// How many there are.
   std::uint32_t count_free() const noexcept;
