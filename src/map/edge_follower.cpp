@@ -113,6 +113,11 @@ void EdgeFollower::walk(Way& way, std::int32_t steps) {
       going = false;
       break;
     }
+    const std::int32_t soon = step + gradient_rows_ahead * way.direction;
+    if (steep && soon >= 0 && soon < end) {
+      const auto there = static_cast<std::int32_t>((at + gradient_rows_ahead * course.next) >> fraction_bits);
+      fetch_gradient(sources_, std::clamp(there, 0, places - 1), soon);
+    }
     edges.for_each(steep, step, from, course.width, [&](std::int32_t across) {
       const std::int32_t x = steep ? across : step, y = steep ? step : across;
       const std::int64_t dx = field_x.at(x, y), dy = field_y.at(x, y);

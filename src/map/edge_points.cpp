@@ -8,12 +8,6 @@
 #include "map/edge_reading.hpp"
 
 namespace straightedge {
-namespace {
-
-constexpr std::int32_t rows_ahead = 8;
-
-}  // namespace
-
 void EdgePoints::reset(GrayView edges) {
   const auto width = static_cast<std::size_t>(edges.width), height = static_cast<std::size_t>(edges.height);
   if (mask_.size() != edges.size()) mask_ = Image<std::uint8_t>::for_overwrite(edges.size());
@@ -70,12 +64,10 @@ void EdgePoints::find(GrayView edges, const EdgeSources& sources, GradientNorm n
     first_of_row_[static_cast<std::size_t>(y)] =
         static_cast<std::uint32_t>(count_) + static_cast<std::uint32_t>(batch_->count);
     add_row(y, columns.data(), count);
-    // Most edges go on in the rows below.
-    const std::int32_t soon = std::min(y + rows_ahead, edges.height - 1);
+    const std::int32_t soon = std::min(y + gradient_rows_ahead, edges.height - 1);
     for (std::int32_t i = 0; i < count; ++i) {
       const std::int32_t x = columns[static_cast<std::size_t>(i)];
-      __builtin_prefetch(sources.directions.x.row(soon) + x);
-      __builtin_prefetch(sources.directions.y.row(soon) + x);
+      fetch_gradient(sources, x, soon);
       read_edge(sources, x, y, *batch_);
       if (batch_->count == EdgeBatch::room) flush();
     }
