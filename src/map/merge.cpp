@@ -154,6 +154,7 @@ std::vector<std::vector<std::size_t>> group_collinear(std::vector<WallLine>& lin
     }
   }
   for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (groups[g].size() == 1) continue;  // its fit is its own
     for (const std::size_t i : groups[g])
       lines[i].adopt(moments_about(common[g], common[g].origin_x, common[g].origin_y), common[g].origin_x,
                      common[g].origin_y);
