@@ -65,12 +65,21 @@ void sample_track(const WallLine& line, const LineSampler& blurred, Track& track
   read_sides(line, blurred, track.places, track.dark, track.light);
 }
 
+/// That of at most so many values, evenly spaced.
+double median_of_some(std::span<const double> values) {
+  constexpr std::size_t most = 32;
+  const std::size_t every = (values.size() + most - 1) / most;
+  std::vector<double> some;
+  some.reserve(most);
+  for (std::size_t i = every / 2; i < values.size(); i += every) some.push_back(values[i]);
+  return median(std::move(some));
+}
+
 /// Step 2. Beside the line itself both sides are what they usually are.
 void judge(Track& track) {
-  const auto from = static_cast<std::ptrdiff_t>(search / pace);
-  const auto to = static_cast<std::ptrdiff_t>(track.dark.size()) - from;
-  const double dark = median({track.dark.begin() + from, track.dark.begin() + to});
-  const double light = median({track.light.begin() + from, track.light.begin() + to});
+  const auto from = static_cast<std::size_t>(search / pace), count = track.dark.size() - 2 * from;
+  const double dark = median_of_some(std::span(track.dark).subspan(from, count));
+  const double light = median_of_some(std::span(track.light).subspan(from, count));
   track.half = 0.5 * (dark + light);
   track.scale = light > dark ? 1 / (light - dark) : 0;
   track.state.clear();
