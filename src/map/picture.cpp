@@ -26,6 +26,7 @@ constexpr int level_reach = 12;
 constexpr int even_reach = 20;
 constexpr std::int32_t block = 4;
 constexpr int soft_levels = 12;
+constexpr int wide_enough = 250;  // levels between black and ground; such a picture need not be stretched
 // A lone dark pixel is darker than all its neighbours by this much; specks lie evenly when a tenth of all
 // places has at least this share of the usual number.
 constexpr int lone_contrast = 80;
@@ -75,9 +76,18 @@ class GrayCounts {
   std::array<std::array<std::uint32_t, 256>, 4> tables_{};
 };
 
+/// Rows of blocks from one that is counted to the next: of a large picture half of them tell.
+std::int32_t rows_apart(GrayView gray) {
+  constexpr std::int32_t large = 64 * block;
+  return (gray.height < large ? 1 : 2) * block;
+}
+
 Histogram histogram_of(GrayView gray) {
   GrayCounts counts;
-  for (std::int32_t y = 0; y < gray.height; ++y) counts.add(gray.row(y), gray.width);
+  for (std::int32_t top = 0; top < gray.height; top += rows_apart(gray)) {
+    const std::int32_t bottom = std::min(top + block, gray.height);
+    for (std::int32_t y = top; y < bottom; ++y) counts.add(gray.row(y), gray.width);
+  }
   return counts.histogram(1);
 }
 
@@ -87,7 +97,7 @@ Histogram block_histogram(GrayView gray, const PictureRowKernels& kernels) {
   GrayCounts counts;
   const Size side{std::min(block, gray.width), std::min(block, gray.height)};
   std::vector<std::uint8_t> medians(static_cast<std::size_t>(gray.width / side.width));
-  for (std::int32_t y = 0; y + side.height <= gray.height; y += side.height) {
+  for (std::int32_t y = 0; y + side.height <= gray.height; y += rows_apart(gray)) {
     block_medians(gray, y, side, kernels, medians);
     counts.add(medians.data(), static_cast<std::int32_t>(medians.size()));
   }
@@ -229,8 +239,8 @@ void understand_picture(GrayView gray, PictureKind asked, const std::optional<Ro
     copy_gray(gray, true, picture.own_gray);
     picture.gray = picture.stretched = picture.own_gray;
   }
-  const std::int64_t pixels = std::int64_t{gray.width} * gray.height;
   const Histogram histogram = histogram_of(picture.gray);
+  const std::int64_t pixels = mass_between(histogram, 0, 255);
   int first_ground = darkest_ground;
   if (meaning) {
     picture.wall_below = 255.0 * (1 - meaning->occupied_thresh);
@@ -246,11 +256,11 @@ void understand_picture(GrayView gray, PictureKind asked, const std::optional<Ro
   const int ground = grounds.empty() ? 255 : grounds.front();
   picture.ground = ground;
   const int black = std::min(darkest_level(histogram, pixels), ground / 2);
-  if (black > 0 || ground < 255) {
+  if (ground - black < wide_enough) {
     stretch(picture.gray, {black, std::max(ground - black, 1)}, kernels, picture.own_stretched);
     picture.stretched = picture.own_stretched;
+    picture.clipped = mass_between(histogram, 0, black - 1) + mass_between(histogram, ground + 1, 255) > 0;
   }
-  picture.clipped = mass_between(histogram, 0, black - 1) + mass_between(histogram, ground + 1, 255) > 0;
   picture.noisy = is_grainy(picture.gray, kernels) || is_speckled(picture.gray, kernels);
   picture.crisp = is_crisp(histogram, black, ground);
   picture.soft = is_soft(histogram, black, ground);

@@ -13,11 +13,11 @@ namespace straightedge {
 /// What was found out about a picture.
 struct PictureFacts {
   PictureKind kind = PictureKind::photo;  ///< map or photo
-  bool clipped = false;     ///< some of it is lighter than the darkest ground, or darker than black
-  bool noisy = false;       ///< grain or specks all over it
-  bool crisp = false;       ///< no gray between wall and ground
-  bool soft = false;        ///< many grays between wall and ground: edges are blurred or antialiased
-  double ground = 255;      ///< the darkest level of ground in `gray`
+  bool clipped = false;  ///< stretching cut off what is lighter than the darkest ground or darker than black
+  bool noisy = false;    ///< grain or specks all over it
+  bool crisp = false;    ///< no gray between wall and ground
+  bool soft = false;     ///< many grays between wall and ground: edges are blurred or antialiased
+  double ground = 255;   ///< the darkest level of ground in `gray`
   double wall_below = 256;  ///< a wall's core is darker than this in `gray`; 256: no such rule
   double free_above = -1;   ///< open floor is lighter than this in `gray`
 };
@@ -27,6 +27,7 @@ struct PictureFacts {
 /// A map has ground (free floor, unknown space) and walls that are darker than any ground. Everything at
 /// least as light as the darkest ground is made white, the darkest level black: then neither the border
 /// of unknown space nor a laser ray drawn into it is an edge, and walls have the same contrast in every map.
+/// Where ground and walls are 250 levels apart, that is so already.
 struct Picture : PictureFacts {
   GrayView gray;                                ///< as given, inverted where the map says `negate`
   GrayView stretched;                           ///< black = wall, white = ground; a photo as it is

@@ -64,6 +64,33 @@ TEST_CASE("a picture that is understood in the memory of another shows its own p
   }
 }
 
+TEST_CASE("a picture that is nearly as black and as white as can be is not stretched") {
+  for (const int ground : {249, 250, 254, 255}) {
+    CAPTURE(ground);
+    support::Canvas canvas(size, ground);
+    canvas.paint_bar({20, 30}, {140, 30}, 3);
+    const Picture picture = understood(canvas.picture());
+    CHECK(picture.ground == ground);
+    CHECK(picture.stretched.at(80, 60) == (ground < 250 ? 255 : ground));
+    CHECK(picture.stretched.at(80, 30) == 0);
+    CHECK_FALSE(picture.clipped);
+  }
+}
+
+TEST_CASE("of a large picture half of the rows tell what it shows") {
+  for (const std::int32_t height : {250, 256, 400, 401, 407}) {
+    CAPTURE(height);
+    support::Canvas canvas({160, height}, 205);
+    canvas.paint_box(30, 20, 130, height - 20, 254);
+    canvas.paint_bar({30, 20}, {30, static_cast<double>(height - 20)}, 3);
+    const Picture picture = understood(canvas.picture());
+    CHECK(picture.kind == PictureKind::map);
+    CHECK(picture.ground == 205);
+    CHECK(picture.clipped);
+    CHECK(picture.free_above == 0.5 * (205 + 254));
+  }
+}
+
 TEST_CASE("a grid of wall, floor and unknown is a map whose grounds turn white") {
   const Picture picture = understood(grid_map().picture());
   CHECK(picture.kind == PictureKind::map);
