@@ -40,13 +40,14 @@ constexpr std::uint32_t least_pixels(Size size, const FramePlanesOptions& option
 }
 
 /// Planes that fill at least this share of the picture, (0, 1], in the shortest time: one search, cells of 8
-/// pixels.
+/// pixels. More slack: few large faces are flat to the noise, such as walls of brick or the fronts of books.
 constexpr FramePlanesOptions for_large_planes(Size size, double share = 0.05) noexcept {
   const double pixels = share * size.width * size.height;
   FramePlanesOptions options;
   options.min_pixels = pixels >= 64 && pixels <= 0xFFFFFFF ? static_cast<std::uint32_t>(pixels) : 64U;
   options.rounds = 1;
   options.cell = 8;
+  options.slack = 2;
   return options;
 }
 

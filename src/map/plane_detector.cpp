@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/host/plane_detector.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
 
@@ -33,6 +34,7 @@ PlaneDetectorOptions for_large_planes(PlaneDetectorOptions options, Size size, d
   const FramePlanesOptions large = for_large_planes(size, share);
   options.frame.min_pixels = large.min_pixels;
   options.frame.rounds = large.rounds;
+  options.frame.slack = std::max(options.frame.slack, large.slack);
   options.frame.cell = coarsest_cell(large.min_pixels, label_cells, large.cell);
   // A search sees less of a plane than is labelled in the end, and RANSAC looks for it in windows that are not
   // smaller than the smallest plane: most of such a window ought to be its own.

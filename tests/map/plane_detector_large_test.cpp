@@ -156,3 +156,30 @@ TEST_CASE("a result that is used again holds the new frame alone") {
     }
   }
 }
+
+TEST_CASE("large planes alone: faces that stray by three deviations of the noise have their labels") {
+  // The front of a shelf: books that stand out by up to 14 mm at 1.3 m, where sigma is 2.4 mm.
+  Image<std::uint16_t> raw(size);
+  Pcg32 random(5);
+  std::uint16_t book = 1300;
+  for (std::int32_t x = 0; x < size.width; ++x) {
+    if (x % 12 == 0) book = static_cast<std::uint16_t>(1293 + random.below(15));
+    for (std::int32_t y = 0; y < size.height; ++y) raw.at(x, y) = book;
+  }
+  DepthView depth;
+  depth.raw = raw;
+  for (const PlaneMethod method : both_methods) {
+    const auto large = detect_planes(depth, for_large_planes(by(method), size));
+    REQUIRE(large);
+    INFO(name_of(method));
+    CHECK(large->found.labelled > 0.97 * all_pixels);
+    CHECK(large->planes.size() == 1);
+  }
+}
+
+TEST_CASE("large planes alone: slack that is asked for stays") {
+  PlaneDetectorOptions options;
+  CHECK(for_large_planes(options, size).frame.slack == 2);
+  options.frame.slack = 3;
+  CHECK(for_large_planes(options, size).frame.slack == 3);
+}

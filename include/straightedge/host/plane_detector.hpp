@@ -27,9 +27,9 @@ struct PlaneDetectorOptions {
 };
 
 /// The options for planes that fill at least this share of the picture, (0, 1], in the shortest time: the
-/// search looks at fewer readings, the labels are made from larger cells, and there is one round. How coarse
-/// that may be follows from how many pixels the smallest of the planes has. Method, gate, seed and limits
-/// stay as they are; a share that is out of range gives the smallest planes.
+/// search looks at fewer readings, the labels are made from larger cells, there is one round, and the slack is
+/// 2 at least. How coarse that may be follows from how many pixels the smallest of the planes has. Method,
+/// gate, seed and limits stay as they are; a share that is out of range gives the smallest planes.
 PlaneDetectorOptions for_large_planes(PlaneDetectorOptions options, Size size, double share = 0.05) noexcept;
 
 /// The planes of one depth frame, in the camera's frame.
