@@ -34,17 +34,18 @@ OrientedPoints oriented(const Points& cloud) {
   return points;
 }
 
-Planes found_in(const Search& search) {
-  Planes planes;
+PlanesOfScene found_in(const Search& search) {
+  PlanesOfScene found;
   for (const auto& shape : search.shapes()) {
     const auto plane = dynamic_cast<const CgalPlane*>(shape.get());
     if (plane == nullptr) continue;
     const auto n = plane->plane_normal();
     const Kernel::Plane_3 equation = static_cast<Kernel::Plane_3>(*plane);
     const double size = std::sqrt(CGAL::to_double(n.squared_length()));
-    planes.push_back({{n.x() / size, n.y() / size, n.z() / size}, -equation.d() / size});
+    found.labelled += plane->indices_of_assigned_points().size();
+    found.planes.push_back({{n.x() / size, n.y() / size, n.z() / size}, -equation.d() / size});
   }
-  return planes;
+  return found;
 }
 
 FindPlanes make(const Scene& scene, double share) {

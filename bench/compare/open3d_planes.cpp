@@ -18,7 +18,8 @@ FindPlanes open3d_first_plane(const Scene& scene) {
     constexpr int sample = 3, iterations = 1000;
     constexpr double confidence = 0.99;
     const auto [plane, inliers] = cloud->SegmentPlane(gate_m, sample, iterations, confidence);
-    return inliers.empty() ? Planes() : Planes{{{plane[0], plane[1], plane[2]}, -plane[3]}};
+    if (inliers.empty()) return PlanesOfScene();
+    return PlanesOfScene{{{{plane[0], plane[1], plane[2]}, -plane[3]}}, inliers.size()};
   };
 }
 

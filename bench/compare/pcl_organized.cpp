@@ -37,12 +37,13 @@ FindPlanes pcl_organized_planes(const Scene& scene) {
     std::vector<pcl::PlanarRegion<pcl::PointXYZ>, Eigen::aligned_allocator<pcl::PlanarRegion<pcl::PointXYZ>>>
         regions;
     segmentation.segmentAndRefine(regions);
-    Planes planes;
+    PlanesOfScene found;
     for (auto& region : regions) {
       const Eigen::Vector4f c = region.getCoefficients();
-      planes.push_back({{c[0], c[1], c[2]}, -static_cast<double>(c[3])});
+      found.planes.push_back({{c[0], c[1], c[2]}, -static_cast<double>(c[3])});
+      found.labelled += region.getCount();
     }
-    return planes;
+    return found;
   };
 }
 

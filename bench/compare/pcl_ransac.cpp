@@ -57,7 +57,8 @@ COMPARE_JOB(first_plane)(const Scene& scene) {
     pcl::PointIndices inliers;
     pcl::ModelCoefficients coefficients;
     search.segment(inliers, coefficients);
-    return inliers.indices.empty() ? Planes() : Planes{plane_of(coefficients)};
+    if (inliers.indices.empty()) return PlanesOfScene();
+    return PlanesOfScene{{plane_of(coefficients)}, inliers.indices.size()};
   };
 }
 
@@ -65,15 +66,16 @@ COMPARE_JOB(all_planes)(const Scene& scene) {
   const Cloud::Ptr cloud = pcl_cloud(scene.cloud);
   return [cloud] {
     pcl::SACSegmentation<pcl::PointXYZ> search = segmentation();
-    Planes planes;
+    PlanesOfScene found;
     for (Cloud::Ptr rest = cloud;;) {
       search.setInputCloud(rest);
       const pcl::PointIndices::Ptr inliers = std::make_shared<pcl::PointIndices>();
       pcl::ModelCoefficients coefficients;
       search.segment(*inliers, coefficients);
       if (static_cast<double>(inliers->indices.size()) < least_share * static_cast<double>(cloud->size()))
-        return planes;
-      planes.push_back(plane_of(coefficients));
+        return found;
+      found.planes.push_back(plane_of(coefficients));
+      found.labelled += inliers->indices.size();
       pcl::ExtractIndices<pcl::PointXYZ> extract;
       extract.setInputCloud(rest);
       extract.setIndices(inliers);

@@ -35,10 +35,10 @@ std::vector<PlanePeer> first_plane_peers() {
 std::vector<PlanePeer> all_planes_peers() {
   std::vector<PlanePeer> peers;
 #ifdef COMPARE_RGBD
-  peers.push_back({"OpenCV RgbdPlane", rgbd_planes});
+  peers.push_back({"OpenCV RgbdPlane", rgbd_planes, true});
 #endif
 #ifdef COMPARE_PCL
-  peers.push_back({"PCL organised multi-plane", pcl_organized_planes});
+  peers.push_back({"PCL organised multi-plane", pcl_organized_planes, true});
   peers.push_back({"PCL sequential, packaged", pcl_all_planes});
 #endif
 #ifdef COMPARE_PCL_REBUILT

@@ -14,7 +14,11 @@
 namespace compare {
 
 using Planes = std::vector<straightedge::Plane>;
-using FindPlanes = std::function<Planes()>;
+struct PlanesOfScene {
+  Planes planes;
+  std::size_t labelled = 0;  ///< readings that the library says lie on them
+};
+using FindPlanes = std::function<PlanesOfScene()>;
 
 /// Readings this near to a plane are the plane's, for everybody.
 inline constexpr double gate_m = 0.02;
@@ -26,6 +30,8 @@ inline constexpr int pcl_iterations = 200;
 struct PlanePeer {
   std::string name;
   FindPlanes (*make)(const Scene&) = nullptr;
+  /// Finds connected surfaces, as we do: we have to label as many readings.
+  bool same_job = false;
 };
 std::vector<PlanePeer> first_plane_peers();
 std::vector<PlanePeer> all_planes_peers();

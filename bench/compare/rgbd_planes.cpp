@@ -42,7 +42,10 @@ FindPlanes rgbd_planes(const Scene& scene) {
   return [frame = frame_of(scene)] {
     std::vector<cv::Vec4f> coefficients;
     search_for(frame->least)(frame->points, frame->mask, coefficients);
-    return planes_of(coefficients);
+    constexpr int no_plane = 255;
+    const auto pixels = static_cast<int>(frame->mask.total());
+    return PlanesOfScene{planes_of(coefficients),
+                         static_cast<std::size_t>(pixels - cv::countNonZero(frame->mask == no_plane))};
   };
 }
 
