@@ -13,6 +13,10 @@ set(straightedge_flags_of_avx512 -mavx512f -mavx512bw -mavx512dq -mavx512vl -mpo
 # The library that the kernels of a folder go into.
 set(straightedge_kernel_library straightedge_core)
 
+# The longest vectors, in bits, that a folder's plain loops become. A processor that has used 512 bits may run
+# slower for a while: where short loops lie between other code, that costs more than they save.
+set(straightedge_longest_vectors 512)
+
 # straightedge_kernels_for(MODULE SET SOURCES...): the sources as one more part of the library, with
 # STRAIGHTEDGE_KERNEL_SET defined as the set.
 function(straightedge_kernels_for module set)
@@ -38,6 +42,8 @@ function(straightedge_kernels module)
   if(STRAIGHTEDGE_X86_64)
     foreach(set avx2 avx512)
       straightedge_kernels_for(${module} ${set} ${ARGN})
+      target_compile_options(straightedge_${module}_${set} PRIVATE
+        -mprefer-vector-width=${straightedge_longest_vectors})
     endforeach()
   endif()
 endfunction()
