@@ -6,17 +6,20 @@
 #include <bit>
 #include <cmath>
 #include <optional>
+#include <span>
 
+#include "map/edge_walk.hpp"
 #include "map/straight_part.hpp"
 #include "straightedge/square_root.hpp"
 
 namespace straightedge {
 namespace {
 
+using walking::fixed;
+
 constexpr double long_edge = 20;  // pixels
 constexpr double half =
     1.6;  // of the corridor's width; a line known by few of a staircase's pixels needs so much
-constexpr double beside = 2.2;  // pixels from the line; what belongs to the same edge: its staircase
 constexpr std::int64_t tangent_inside = 119, tangent_beside = 215;  // of 25 and 40 degrees, times 256
 constexpr double cos_inside = 0.906307787036650;                    // 25 degrees
 // Steps to each side before the first fit. Later ones go on for a share of the pixels that the line is known
@@ -28,13 +31,6 @@ constexpr double min_density = 0.6;          // edge pixels a pixel of length: a
 constexpr double max_residual = 0.4;         // pixels
 constexpr double max_slope = 1.7;  // from step to step; steeper ones have turned too far from the seed
 
-// Numbers with a fraction of sixteen bits.
-constexpr int fraction_bits = 16;
-constexpr std::int64_t one = std::int64_t{1} << fraction_bits;
-std::int64_t fixed(double value) {
-  return static_cast<std::int64_t>(value * one);
-}
-
 /// The pixels of a word of row y where x + 2 y (mirrored: x - 2 y) is a multiple of five: no row, column or
 /// diagonal has more than four others between two of them. An edge that climbs by two in one, or by one in
 /// two, may miss one lattice altogether, but not its mirror image.
@@ -42,27 +38,6 @@ std::uint64_t on_lattice(std::int32_t y, std::int32_t word, bool mirrored) {
   constexpr std::uint64_t every_fifth = 0x1084210842108421;
   const std::int32_t first = ((mirrored ? 2 : 3) * y + word) % 5;  // -2 = 3 and -64 = 1
   return every_fifth << first;
-}
-
-/// A corridor as it is walked along, in the numbers above: where across it lies at a step, and from there on.
-struct Course {
-  std::int64_t at, next;       ///< the line at the first step, and how far it moves with each
-  std::int64_t inside, reach;  ///< across, to each side: in the corridor, and beside it
-  std::int64_t step_length;    ///< along the line
-  std::int32_t width;          ///< pixels across that are looked at
-};
-
-Course course_of(const refitting::Corridor& strip, bool steep, std::int32_t step, std::int32_t direction) {
-  const double along_normal = steep ? strip.nx : strip.ny, aside = steep ? strip.ny : strip.nx;
-  const double first = steep ? strip.py : strip.px, across = steep ? strip.px : strip.py;
-  const double slope = -aside / along_normal, step_length = 1 / std::fabs(along_normal);
-  const std::int64_t reach = fixed(beside * step_length);
-  return {.at = fixed(across + (step - first) * slope),
-          .next = fixed(direction * slope),
-          .inside = fixed(strip.half_width * step_length),
-          .reach = reach,
-          .step_length = fixed(step_length),
-          .width = static_cast<std::int32_t>((2 * reach + one) / one)};
 }
 
 }  // namespace
@@ -92,61 +67,58 @@ void EdgeFollower::start(std::int32_t x, std::int32_t y) {
 /// Step 2.
 template <bool steep>
 void EdgeFollower::walk(Way& way, std::int32_t steps) {
-  const EdgeBits& edges = *edges_;
-  const ImageView<const std::int16_t> field_x = sources_.directions.x, field_y = sources_.directions.y;
   const Pixel seed = seed_;
   const auto room = way.visited + static_cast<std::size_t>(steps * most_in_step);
   if (way.pixels.size() < room) way.pixels.resize(2 * room);
-  Pixel* const pixels = way.pixels.data();
-  const Course course = course_of(strip_, steep, way.step, way.direction);
+  const walking::Course course = walking::course_of(strip_, steep, way.step, way.direction);
+  const std::int32_t left = way.direction > 0 ? edges_->steps(steep) - way.step : way.step + 1;
+  const std::int32_t in_picture = course.steps_in(edges_->places(steep), std::min(steps, left));
   const std::int64_t nx = fixed(strip_.nx), ny = fixed(strip_.ny), gap = fixed(options_.max_gap);
-  const std::int32_t end = edges.steps(steep), places = edges.places(steep);
-  std::size_t visited = way.visited, up_to_last = way.up_to_last;
-  std::int64_t at = course.at, hole = way.hole;
+  walking::Walked<steep> walked(edges_->lines(steep), sources_.directions, in_picture > 0 ? way.step : 0,
+                                way.direction);
+  Pixel* pixel = way.pixels.data() + way.visited;
+  const Pixel* up_to_last = way.pixels.data() + way.up_to_last;
+  std::int64_t from = course.from, hole = way.hole;
+  std::int64_t count = 0, sum = 0, sum_across = 0, sum_squares = 0, sum_products = 0;
   std::int32_t step = way.step;
-  Sums sums = sums_;
-  bool going = true;
-  for (; steps > 0 && going; --steps, step += way.direction, at += course.next) {
+  for (std::int32_t k = 0; k < in_picture && hole <= gap; ++k) {
     hole += course.step_length;
-    const auto from = static_cast<std::int32_t>((at - course.reach + one - 1) >> fraction_bits);
-    if (step < 0 || step >= end || from >= places || from + course.width <= 0) {
-      going = false;
-      break;
-    }
-    const std::int32_t soon = step + gradient_rows_ahead * way.direction;
-    if (steep && soon >= 0 && soon < end) {
-      const auto there = static_cast<std::int32_t>((at + gradient_rows_ahead * course.next) >> fraction_bits);
-      fetch_gradient(sources_, std::clamp(there, 0, places - 1), soon);
-    }
-    edges.for_each(steep, step, from, course.width, [&](std::int32_t across) {
-      const std::int32_t x = steep ? across : step, y = steep ? step : across;
-      const std::int64_t dx = field_x.at(x, y), dy = field_y.at(x, y);
+    const auto first = static_cast<std::int32_t>(from >> walking::fraction_bits);
+    if (steep && k + gradient_rows_ahead < left) walked.fetch(gradient_rows_ahead, std::max(first, 0));
+    for (std::uint64_t bits = walked.edges(first, course.width); bits != 0; bits &= bits - 1) {
+      const std::int32_t across = first + std::countr_zero(bits);
+      const std::int64_t dx = walked.dx(across), dy = walked.dy(across);
       const std::int64_t toward = dx * nx + dy * ny, aside = dx * ny - dy * nx;
-      const std::int64_t turned = aside < 0 ? -aside : aside;
-      if (turned * 256 >= toward * tangent_beside) return;
-      const std::int64_t off = across * one - at;
-      const bool inside =
-          off <= course.inside && -off <= course.inside && turned * 256 < toward * tangent_inside;
-      pixels[visited++] = {step, across, inside};
-      if (!inside) return;
+      const std::int64_t turned = (aside < 0 ? -aside : aside) * 256;
+      if (turned >= toward * tangent_beside) continue;
+      const auto off = static_cast<std::uint64_t>(across * walking::one - from - course.inside);
+      const bool inside = turned < toward * tangent_inside && off <= course.inside_width;
+      *pixel++ = {step, across, inside};
+      if (!inside) continue;
       const std::int64_t s = step - seed.step, a = across - seed.across;
-      ++sums.count;
-      sums.step += s;
-      sums.across += a;
-      sums.step_step += s * s;
-      sums.step_across += s * a;
+      ++count;
+      sum += s;
+      sum_across += a;
+      sum_squares += s * s;
+      sum_products += s * a;
       hole = 0;
-      up_to_last = visited;
-    });
-    going = hole <= gap;
+      up_to_last = pixel;
+    }
+    step += way.direction;
+    from += course.next;
+    walked.go_on();
   }
-  sums_ = sums;
-  way.going = going;
+  sums_.count += count;
+  sums_.step += sum;
+  sums_.across += sum_across;
+  sums_.step_step += sum_squares;
+  sums_.step_across += sum_products;
+  way.going = in_picture == steps && hole <= gap;
   way.step = step;
   way.hole = hole;
-  way.visited = visited;
-  way.up_to_last = up_to_last;
-  if (up_to_last > 0) way.last = pixels[up_to_last - 1];
+  way.visited = static_cast<std::size_t>(pixel - way.pixels.data());
+  way.up_to_last = static_cast<std::size_t>(up_to_last - way.pixels.data());
+  if (way.up_to_last > 0) way.last = way.pixels[way.up_to_last - 1];
 }
 
 /// Step 3.
@@ -234,12 +206,14 @@ bool EdgeFollower::fit(WallLine& line) {
 
 /// Step 5. How many of the pixels inside there were.
 std::uint32_t EdgeFollower::take_pixels() {
+  const BitLinesView of_steps = edges_->lines(steep_), of_places = edges_->lines(!steep_);
+  const std::int32_t first = first_.step, last = last_.step;
   std::uint32_t taken = 0;
   for (const Way& way : ways_) {
-    for (std::size_t i = 0; i < way.up_to_last; ++i) {
-      const Pixel& pixel = way.pixels[i];
-      if (pixel.step < first_.step || pixel.step > last_.step) continue;
-      edges_->clear(column(pixel), row(pixel));
+    for (const Pixel& pixel : std::span(way.pixels).first(way.up_to_last)) {
+      if (pixel.step < first || pixel.step > last) continue;
+      of_steps.clear(pixel.step, pixel.across);
+      of_places.clear(pixel.across, pixel.step);
       taken += pixel.inside ? 1U : 0U;
     }
   }
@@ -277,8 +251,9 @@ std::vector<WallLine> EdgeFollower::run(EdgeBits& edges, const EdgeSources& sour
     const bool second = least == options.min_length;
     for (std::int32_t y = 0; y < edges.size().height; ++y) {
       for (std::int32_t word = 0; word < words; ++word) {
-        std::uint64_t seeds = edges.word(word, y) & on_lattice(y, word, second);
-        for (; seeds != 0; seeds &= seeds - 1) {
+        std::uint64_t seeds = edges.word(word, y);
+        if (seeds == 0) continue;
+        for (seeds &= on_lattice(y, word, second); seeds != 0; seeds &= seeds - 1) {
           const std::int32_t x = word * 64 + std::countr_zero(seeds);
           if (edges.contains(x, y) && follow(x, y, least, line)) lines.push_back(line);
         }

@@ -47,7 +47,8 @@ struct FollowOptions {
 /// doi:10.1016/j.patrec.2011.06.001, fits while it follows.
 class EdgeFollower {
  public:
-  /// The edges in the order in which they were found. Of `edges` those stay that no line took.
+  /// The edges in the order in which they were found. Of `edges` those stay that no line took. The rows of
+  /// both gradients of the directions have to be equally far apart.
   std::vector<WallLine> run(EdgeBits& edges, const EdgeSources& sources, const FollowOptions& options,
                             const PictureRowKernels& kernels);
 
