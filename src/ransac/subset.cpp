@@ -81,7 +81,7 @@ struct Squares {
   }
 
   struct Drawn {
-    std::int32_t u0, v0, at;  ///< the square's corner, and a pixel of it
+    std::int32_t u0, v0, u, v;  ///< the square's corner, and a pixel from there
   };
 
   std::int32_t width_at(std::int32_t u0) const noexcept {
@@ -96,15 +96,15 @@ struct Squares {
     const auto at =
         static_cast<std::int32_t>(random.below(static_cast<std::uint32_t>(width * height_at(v0))));
     // Pixels drawn lie far apart: all of a turn are on their way before the first is looked at.
-    const std::int32_t v = at / width;
-    __builtin_prefetch(frame.row(v0 + v) + u0 + (at - v * width));
-    return {u0, v0, at};
+    const std::int32_t v = at / width, u = at - v * width;
+    __builtin_prefetch(frame.row(v0 + v) + u0 + u);
+    return {u0, v0, u, v};
   }
 
   /// From a pixel drawn on, one by one and round again, the first of `most` that is free.
   void take(const Drawn& drawn, std::int32_t most) noexcept {
     const std::int32_t width = width_at(drawn.u0), height = height_at(drawn.v0);
-    std::int32_t v = drawn.at / width, u = drawn.at - v * width;
+    std::int32_t u = drawn.u, v = drawn.v;
     for (std::int32_t tried = 0; tried < width * height && tried < most; ++tried) {
       if (take(drawn.u0 + u, drawn.v0 + v)) return;
       if (++u < width) continue;
