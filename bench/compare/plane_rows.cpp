@@ -60,7 +60,8 @@ std::string said(const Scene& scene, const PlanesOfScene& found, double share) {
   const auto add = [&](const char* format, double number) {
     used += std::snprintf(text + used, sizeof(text) - static_cast<std::size_t>(used), format, number);
   };
-  add(", %.1f %% labelled", 100 * static_cast<double>(found.labelled) / static_cast<double>(scene.cloud.size()));
+  add(", %.1f %% labelled",
+      100 * static_cast<double>(found.labelled) / static_cast<double>(scene.cloud.size()));
   if (!scene.truth.empty()) add(", %.2f° off", degrees_off(scene, planes));
   return text;
 }
