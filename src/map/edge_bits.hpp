@@ -82,7 +82,6 @@ class EdgeBits {
     rows_.view().set(y, x);
     columns_.view().set(x, y);
   }
-
   void clear(std::int32_t x, std::int32_t y) noexcept {
     rows_.view().clear(y, x);
     columns_.view().clear(x, y);

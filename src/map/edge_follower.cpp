@@ -74,8 +74,8 @@ void EdgeFollower::walk(Way& way, std::int32_t steps) {
   const std::int32_t left = way.direction > 0 ? edges_->steps(steep) - way.step : way.step + 1;
   const std::int32_t in_picture = course.steps_in(edges_->places(steep), std::min(steps, left));
   const std::int64_t nx = fixed(strip_.nx), ny = fixed(strip_.ny), gap = fixed(options_.max_gap);
-  walking::Walked<steep> walked(edges_->lines(steep), sources_.directions, in_picture > 0 ? way.step : 0,
-                                way.direction);
+  walking::EdgesAlong<steep> along(edges_->lines(steep), sources_.directions, in_picture > 0 ? way.step : 0,
+                                   way.direction);
   Pixel* pixel = way.pixels.data() + way.visited;
   const Pixel* up_to_last = way.pixels.data() + way.up_to_last;
   std::int64_t from = course.from, hole = way.hole;
@@ -84,10 +84,10 @@ void EdgeFollower::walk(Way& way, std::int32_t steps) {
   for (std::int32_t k = 0; k < in_picture && hole <= gap; ++k) {
     hole += course.step_length;
     const auto first = static_cast<std::int32_t>(from >> walking::fraction_bits);
-    if (steep && k + gradient_rows_ahead < left) walked.fetch(gradient_rows_ahead, std::max(first, 0));
-    for (std::uint64_t bits = walked.edges(first, course.width); bits != 0; bits &= bits - 1) {
+    if (steep && k + gradient_rows_ahead < left) along.fetch(gradient_rows_ahead, std::max(first, 0));
+    for (std::uint64_t bits = along.edges(first, course.width); bits != 0; bits &= bits - 1) {
       const std::int32_t across = first + std::countr_zero(bits);
-      const std::int64_t dx = walked.dx(across), dy = walked.dy(across);
+      const std::int64_t dx = along.dx(across), dy = along.dy(across);
       const std::int64_t toward = dx * nx + dy * ny, aside = dx * ny - dy * nx;
       const std::int64_t turned = (aside < 0 ? -aside : aside) * 256;
       if (turned >= toward * tangent_beside) continue;
@@ -106,7 +106,7 @@ void EdgeFollower::walk(Way& way, std::int32_t steps) {
     }
     step += way.direction;
     from += course.next;
-    walked.go_on();
+    along.go_on();
   }
   sums_.count += count;
   sums_.step += sum;

@@ -59,9 +59,9 @@ inline Course course_of(const refitting::Corridor& strip, bool steep, std::int32
 
 /// Edges and gradients along a way, step by step. The rows of both gradients are equally far apart.
 template <bool steep>
-class Walked {
+class EdgesAlong {
  public:
-  Walked(const BitLinesView& edges, const GradientField& field, std::int32_t step, std::int32_t direction)
+  EdgesAlong(const BitLinesView& edges, const GradientField& field, std::int32_t step, std::int32_t direction)
       : line_(edges.line(step)),
         next_words_(direction * static_cast<std::ptrdiff_t>(edges.words_in_line)),
         dx_(field.x.row(steep ? step : 0) + (steep ? 0 : step)),
@@ -83,7 +83,9 @@ class Walked {
   }
 
  private:
-  static std::ptrdiff_t row_step(const ImageView<const std::int16_t>& field) { return field.stride / 2; }
+  static std::ptrdiff_t row_step(const ImageView<const std::int16_t>& field) {
+    return field.stride / static_cast<std::ptrdiff_t>(sizeof(std::int16_t));
+  }
 
   const std::uint64_t* line_;
   std::ptrdiff_t words_ = 0, next_words_;

@@ -231,3 +231,31 @@ TEST_CASE("pictures of a few pixels have no edges, and do no harm") {
     }
   }
 }
+
+TEST_CASE("parts of rows and columns have the edge pixels that lie there") {
+  EdgeBits bits;
+  const Size narrow{131, 70};
+  bits.reset(narrow);
+  Pcg32 random(3);
+  for (int i = 0; i < 3000; ++i) {
+    const auto x = static_cast<std::int32_t>(random.below(131)),
+               y = static_cast<std::int32_t>(random.below(70));
+    i % 4 == 0 ? bits.clear(x, y) : bits.set(x, y);
+  }
+  for (const bool steep : {true, false}) {
+    const BitLinesView lines = bits.lines(steep);
+    for (std::int32_t from = -62; from < bits.places(steep); ++from) {
+      for (const std::int32_t count : {1, 7, 63}) {
+        const std::int32_t k = from & 31;
+        std::uint64_t expected = 0;
+        for (std::int32_t i = 0; i < count; ++i) {
+          const std::int32_t place = from + i;
+          if (place < 0 || place >= bits.places(steep)) continue;
+          const bool is_edge = steep ? bits.contains(place, k) : bits.contains(k, place);
+          expected |= std::uint64_t{is_edge ? 1U : 0U} << i;
+        }
+        REQUIRE(EdgeBits::part(lines.line(k), from, count) == expected);
+      }
+    }
+  }
+}
