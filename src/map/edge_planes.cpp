@@ -94,8 +94,12 @@ Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const Can
   recipe.begin();
   for (std::int32_t y = 0; y < size.height; ++y) {
     recipe.push(gray.row(y));
+    if (wanted == Wanted::gradient) {
+      while (recipe.next_gradient()) {
+      }
+      continue;
+    }
     while (recipe.next(memory.classes.data())) {
-      if (wanted == Wanted::gradient) continue;
       const std::int32_t row = recipe.rows_out() - 1;
       kernels.pack_classes(memory.classes.data(), words.row(row), size.width);
       if (row > 0) fill.flow_down(row - 1);

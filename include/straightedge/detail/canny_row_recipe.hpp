@@ -47,6 +47,9 @@ class CannyRowRecipe {
   /// Writes the next row of classes; false when it needs further rows of the picture, or all were given.
   bool next(std::uint8_t* classes) noexcept;
 
+  /// Makes the next row of the gradient, where nobody wants classes: in place of `next`, for a whole picture.
+  bool next_gradient() noexcept { return gradient_rows_ < size_.height && make_gradient_row(); }
+
   std::int32_t rows_in() const noexcept { return gray_rows_; }
   std::int32_t rows_out() const noexcept { return class_rows_; }
   std::uint32_t strong() const noexcept { return strong_; }
