@@ -67,10 +67,7 @@ class EdgeBits {
   /// Sixty-four pixels of row y, from column 64 * number on, the leftmost in the lowest bit.
   std::uint64_t word(std::int32_t number, std::int32_t y) const noexcept { return rows_.line(y)[number]; }
 
-  bool contains(std::int32_t x, std::int32_t y) const noexcept {
-    const auto place = static_cast<std::uint32_t>(x);
-    return (rows_.line(y)[place / 64] >> place % 64 & 1) != 0;
-  }
+  bool contains(std::int32_t x, std::int32_t y) const noexcept { return part(rows_.line(y), x, 1) != 0; }
 
   /// Where none of the word was set.
   void set_word(std::int32_t number, std::int32_t y, std::uint64_t bits) noexcept {

@@ -27,11 +27,6 @@ struct EdgeSources {
 /// ones, which are asked for so many rows ahead. Changes nothing but the time.
 inline constexpr std::int32_t gradient_rows_ahead = 8;
 
-inline void fetch_gradient(const EdgeSources& from, std::int32_t x, std::int32_t y) noexcept {
-  __builtin_prefetch(from.directions.x.row(y) + x);
-  __builtin_prefetch(from.directions.y.row(y) + x);
-}
-
 /// Adds the edge pixel (x, y) to the batch, with the magnitudes across the edge or, where there are none, the
 /// gradients that they are made from.
 inline void read_edge(const EdgeSources& from, std::int32_t x, std::int32_t y, EdgeBatch& batch) noexcept {
