@@ -174,6 +174,27 @@ TEST_CASE("Every set of kernels: pixels equal the plain ones", "[ransac]") {
   }
 }
 
+TEST_CASE("Every set of kernels: a row in its plane has the sums of all columns", "[ransac]") {
+  for (const KernelSet& set : kernel_sets()) {
+    for (std::uint32_t count = 1; count <= ransac_most_pixels; ++count) {
+      CAPTURE(set.name, count);
+      const std::vector<std::uint16_t> raw(count, 1000);
+      RansacPixels<std::uint16_t> row;
+      row.pixels = raw.data();
+      row.count = static_cast<std::int32_t>(count);
+      row.scale = 1000;
+      row.c = 1;
+      row.constant = 0.01F;
+      const RansacPixelSums sums = set.ransac->raw.sum(row);
+      REQUIRE(sums.readings == count);
+      REQUIRE(sums.n == count);
+      REQUIRE(sums.u == count * (count - 1) / 2);
+      REQUIRE(sums.uu == count * (count - 1) / 2 * (2 * count - 1) / 3);
+      REQUIRE(sums.rr == 0);
+    }
+  }
+}
+
 TEST_CASE("Every set of kernels: points equal the plain ones", "[ransac]") {
   for (const KernelSet& set : kernel_sets()) {
     Pcg32 random(3);

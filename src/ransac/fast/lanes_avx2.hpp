@@ -72,20 +72,17 @@ inline std::uint32_t count_of(Floats::Mask mask) noexcept {
   return static_cast<std::uint32_t>(_mm_popcnt_u32(static_cast<unsigned>(_mm256_movemask_ps(mask.v))));
 }
 
+/// One bit a lane.
+inline void store_bits(Floats::Mask mask, std::uint8_t* bytes) noexcept {
+  *bytes = static_cast<std::uint8_t>(_mm256_movemask_ps(mask.v));
+}
+
 /// Sixteen partial sums, added up 8 apart, 4, 2, 1.
 inline float fold(const float* sums) noexcept {
   const __m256 eight = _mm256_add_ps(_mm256_load_ps(sums), _mm256_load_ps(sums + 8));
   const __m128 four = _mm_add_ps(_mm256_castps256_ps128(eight), _mm256_extractf128_ps(eight, 1));
   const __m128 two = _mm_add_ps(four, _mm_movehl_ps(four, four));
   return _mm_cvtss_f32(_mm_add_ss(two, _mm_movehdup_ps(two)));
-}
-/// The same of whole numbers.
-inline std::uint32_t fold_whole(const float* sums) noexcept {
-  const __m256i eight = _mm256_add_epi32(_mm256_cvtps_epi32(_mm256_load_ps(sums)),
-                                         _mm256_cvtps_epi32(_mm256_load_ps(sums + 8)));
-  const __m128i four = _mm_add_epi32(_mm256_castsi256_si128(eight), _mm256_extracti128_si256(eight, 1));
-  const __m128i two = _mm_add_epi32(four, _mm_shuffle_epi32(four, 0x4E));
-  return static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_add_epi32(two, _mm_shuffle_epi32(two, 0xB1))));
 }
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET

@@ -68,6 +68,11 @@ inline std::uint32_t count_of(Floats::Mask mask) noexcept {
   return static_cast<std::uint32_t>(_mm_popcnt_u32(mask));
 }
 
+/// One bit a lane.
+inline void store_bits(Floats::Mask mask, std::uint8_t* bytes) noexcept {
+  __builtin_memcpy(bytes, &mask, sizeof mask);
+}
+
 /// Sixteen partial sums, added up 8 apart, 4, 2, 1.
 inline float fold(const float* sums) noexcept {
   const __m512 all = _mm512_load_ps(sums);
@@ -75,10 +80,6 @@ inline float fold(const float* sums) noexcept {
   const __m128 four = _mm_add_ps(_mm256_castps256_ps128(eight), _mm256_extractf128_ps(eight, 1));
   const __m128 two = _mm_add_ps(four, _mm_movehl_ps(four, four));
   return _mm_cvtss_f32(_mm_add_ss(two, _mm_movehdup_ps(two)));
-}
-/// The same of whole numbers.
-inline std::uint32_t fold_whole(const float* sums) noexcept {
-  return static_cast<std::uint32_t>(_mm512_reduce_add_epi32(_mm512_cvtps_epi32(_mm512_load_ps(sums))));
 }
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET

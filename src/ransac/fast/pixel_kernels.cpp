@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Same results as ../pixel_kernels.cpp; read that first.
 #include "ransac/fast/lanes.hpp"
+#include "ransac/fast/pixel_bits.hpp"
 #include "ransac/kernels.hpp"
 
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
@@ -38,17 +39,12 @@ struct Look {
   }
 };
 
-/// Sums of some neighbouring lanes. Those of whole numbers are exact in floats.
+/// Sums of some neighbouring lanes.
 struct Sums {
-  Floats readings, n, u, uu, r, ur, rr;
+  Floats r, ur, rr;
 
-  Sums() noexcept { readings = n = u = uu = r = ur = rr = Floats::all(0); }
-  void add(Floats::Mask some, Floats::Mask inside, Floats at, Floats residual) noexcept {
-    const Floats one = Floats::all(1);
-    readings = readings.plus(one, some);
-    n = n.plus(one, inside);
-    u = u.plus(at, inside);
-    uu = uu.plus(at * at, inside);
+  Sums() noexcept { r = ur = rr = Floats::all(0); }
+  void add(Floats::Mask inside, Floats at, Floats residual) noexcept {
     r = r.plus(residual, inside);
     ur = ur.plus(at * residual, inside);
     rr = rr.plus(residual * residual, inside);
@@ -75,7 +71,7 @@ Floats columns(std::int32_t first) noexcept {
   return Floats::load(column);
 }
 
-/// Calls visit(inside, readings, u, r) for each group of lanes.
+/// Calls visit(i, inside, readings, u, r) for each group of lanes, from pixel i on.
 template <class Q, class Visit>
 void for_groups(const RansacPixels<Q>& row, std::int32_t first, Visit visit) noexcept {
   const Look<Q> look(row);
@@ -85,13 +81,13 @@ void for_groups(const RansacPixels<Q>& row, std::int32_t first, Visit visit) noe
   if (row.labels == nullptr) {
     for (std::int32_t i = first; i < whole; i += lanes) {
       const Floats::Mask inside = look.at(row.pixels + i, u, some, r);
-      visit(inside, some, u, r);
+      visit(i, inside, some, u, r);
       u = u + Floats::all(lanes);
     }
   } else {
     for (std::int32_t i = first; i < whole; i += lanes) {
       const Floats::Mask inside = look.at(row.pixels + i, u, some, r), free = unlabelled(row.labels + i);
-      visit(both(inside, free), both(some, free), u, r);
+      visit(i, both(inside, free), both(some, free), u, r);
       u = u + Floats::all(lanes);
     }
   }
@@ -99,40 +95,48 @@ void for_groups(const RansacPixels<Q>& row, std::int32_t first, Visit visit) noe
   const Tail<Q> tail(row, whole);
   const Floats::Mask inside = look.at(tail.pixels + first, u, some, r),
                      free = unlabelled(tail.labels + first);
-  visit(both(inside, free), both(some, free), u, r);
+  visit(whole + first, both(inside, free), both(some, free), u, r);
 }
 
 template <class Q>
 RansacPixelSums sum(const RansacPixels<Q>& row) noexcept {
-  alignas(64) float lane[7][lanes];
+  alignas(64) float lane[3][lanes];
+  PixelBits inliers(row.count), readings(row.count);
+  ColumnSums whole;
   for (std::int32_t first = 0; first < lanes; first += width) {
     Sums sums;
-    for_groups(row, first, [&](Floats::Mask inside, Floats::Mask some, Floats u, Floats r) noexcept {
-      sums.add(some, inside, u, r);
-    });
-    sums.readings.store(lane[0] + first);
-    sums.n.store(lane[1] + first);
-    sums.u.store(lane[2] + first);
-    sums.uu.store(lane[3] + first);
-    sums.r.store(lane[4] + first);
-    sums.ur.store(lane[5] + first);
-    sums.rr.store(lane[6] + first);
+    ColumnCounter columns_before;
+    for_groups(row, first,
+               [&](std::int32_t i, Floats::Mask inside, Floats::Mask some, Floats u, Floats r) noexcept {
+                 // Those that were stored last time are there by now.
+                 columns_before.add(inliers.at(i - lanes), first);
+                 store_bits(inside, inliers.at(i));
+                 store_bits(some, readings.at(i));
+                 sums.add(inside, u, r);
+               });
+    const std::int32_t groups = (row.count + lanes - 1) / lanes;
+    columns_before.add(inliers.at((groups - 1) * lanes + first), first);
+    whole += columns_before.sums(groups);
+    sums.r.store(lane[0] + first);
+    sums.ur.store(lane[1] + first);
+    sums.rr.store(lane[2] + first);
   }
-  return {.readings = fold_whole(lane[0]),
-          .n = fold_whole(lane[1]),
-          .u = fold_whole(lane[2]),
-          .uu = fold_whole(lane[3]),
-          .r = fold(lane[4]),
-          .ur = fold(lane[5]),
-          .rr = fold(lane[6])};
+  return {.readings = readings.count(),
+          .n = whole.n,
+          .u = whole.u,
+          .uu = whole.uu,
+          .r = fold(lane[0]),
+          .ur = fold(lane[1]),
+          .rr = fold(lane[2])};
 }
 
 template <class Q>
 std::uint32_t count(const RansacPixels<Q>& row) noexcept {
   std::uint32_t n = 0;
   for (std::int32_t first = 0; first < lanes; first += width)
-    for_groups(row, first,
-               [&](Floats::Mask inside, Floats::Mask, Floats, Floats) noexcept { n += count_of(inside); });
+    for_groups(row, first, [&](std::int32_t, Floats::Mask inside, Floats::Mask, Floats, Floats) noexcept {
+      n += count_of(inside);
+    });
   return n;
 }
 
