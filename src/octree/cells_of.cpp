@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "octree/cells_of.hpp"
 
+#include <cstring>
+
 namespace straightedge::octree {
 namespace {
 
@@ -15,7 +17,23 @@ const float* side_by_side(const float* axis, std::ptrdiff_t stride, std::size_t 
   return room;
 }
 
+using Four [[gnu::vector_size(16)]] = std::int32_t;
+
+Four load(const std::int32_t* from) noexcept {
+  Four cells;
+  std::memcpy(&cells, from, sizeof(cells));
+  return cells;
+}
+
 }  // namespace
+
+void CellBatch::find_starts(std::int32_t* starts) const noexcept {
+  const auto changes = [](const std::int32_t* axis) noexcept { return load(axis) ^ load(axis + 1); };
+  for (std::size_t i = 0; i < size; i += 4) {
+    const Four differs = (changes(x + i) | changes(y + i) | changes(z + i)) != 0;
+    std::memcpy(starts + i, &differs, sizeof(differs));
+  }
+}
 
 void cells_of(const PointsView& view, const OctreeGrid& grid, std::size_t begin, std::size_t count,
               const OctreeKernels& kernels, CellBatch& cells) noexcept {

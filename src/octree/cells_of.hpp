@@ -21,10 +21,8 @@ struct CellBatch {
   std::int32_t x[size + 1], y[size + 1], z[size + 1];
 
   CellBatch() noexcept { x[size] = y[size] = z[size] = -1; }
-  /// Point i is in another cell than the one before.
-  bool differs(std::size_t i) const noexcept {
-    return ((x[i] ^ x[i + 1]) | (y[i] ^ y[i + 1]) | (z[i] ^ z[i + 1])) != 0;
-  }
+  /// Of all points, -1 for those in another cell than the one before, 0 for the others.
+  void find_starts(std::int32_t* starts) const noexcept;
   MortonCell at(std::size_t i) const noexcept {
     return {static_cast<std::uint32_t>(x[i + 1]), static_cast<std::uint32_t>(y[i + 1]),
             static_cast<std::uint32_t>(z[i + 1])};

@@ -35,10 +35,12 @@ struct RunStarts {
   std::uint32_t count = 0;
 
   void find(const CellBatch& cells, std::size_t points) noexcept {
+    std::int32_t starts[CellBatch::size];
+    cells.find_starts(starts);
     count = 0;
     for (std::size_t i = 0; i < points; ++i) {
       at[count] = static_cast<std::uint32_t>(i);
-      count += cells.differs(i) ? 1U : 0U;
+      count -= static_cast<std::uint32_t>(starts[i]);
     }
     for (std::uint32_t k = 0; k < count; ++k) {
       const MortonCell cell = cells.at(at[k]);
