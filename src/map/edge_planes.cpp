@@ -6,6 +6,7 @@
 #include <bit>
 #include <vector>
 
+#include "canny/fetch_row.hpp"
 #include "canny/word_fill.hpp"
 #include "straightedge/arena.hpp"
 #include "straightedge/detail/canny_row_memory.hpp"
@@ -40,6 +41,12 @@ struct RowMemory {
     return memory;
   }
 };
+
+template <class T>
+void fetch_row(const detail::RowRing<T>& ring, std::int32_t y) {
+  fetch_to_write(reinterpret_cast<std::uint8_t*>(ring.row(y)),
+                 static_cast<std::int32_t>(ring.stride * sizeof(T)));
+}
 
 template <class T>
 ImageView<const T> all_rows(const detail::RowRing<T>& ring, Size size) {
@@ -93,6 +100,12 @@ Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const Can
   WordFill fill(words, memory.worklist);
   recipe.begin();
   for (std::int32_t y = 0; y < size.height; ++y) {
+    if (const std::int32_t soon = y + fetched_rows_ahead; soon < size.height) {
+      fetch_to_read(gray.row(soon), size.width);
+      fetch_row(memory.rows.dx, soon);
+      fetch_row(memory.rows.dy, soon);
+      if (blurred_picture == Blurred::kept) fetch_row(memory.rows.blurred, soon);
+    }
     recipe.push(gray.row(y));
     if (wanted == Wanted::gradient) {
       while (recipe.next_gradient()) {
