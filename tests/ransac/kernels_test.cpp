@@ -92,7 +92,7 @@ void check_pixels(const RansacKernels::Pixels<Q>& kernels, const RansacKernels::
   row.pixels = pixels.data();
   row.labels = random.below(2) == 0 ? labels.data() : nullptr;
   row.count = static_cast<std::int32_t>(pixels.size());
-  row.scale = 1000;
+  row.scale = random.below(4) == 0 ? 1e9F : 1000;  // some depths have 1/z beyond what is a reading
   row.a = static_cast<float>(random.below(100)) * 1e-5F;
   row.c = static_cast<float>(random.below(1000)) * 1e-3F;
   row.constant = random.below(4) == 0 ? 0 : static_cast<float>(random.below(1000)) * 1e-3F;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "ransac/fast/lanes.hpp"
@@ -34,19 +35,27 @@ struct ByteSums {
 
 inline constexpr ByteSums byte_sums;
 
-/// One bit for each pixel of a row.
+/// One bit for each pixel of a row, in groups of sixteen.
 class PixelBits {
  public:
-  explicit PixelBits(std::int32_t pixels) noexcept : end_(before + (pixels + 15) / 16 * 2) {
-    __builtin_memset(bytes_, 0, before);
+  explicit PixelBits(std::int32_t pixels) noexcept : end_((groups_in(pixels) + 1) * in_group) {
+    __builtin_memset(bytes_, 0, in_group);
     __builtin_memset(bytes_ + end_, 0, word);
   }
-  /// Of the pixels from `first` on, a multiple of eight. Before the first pixels there are sixteen others.
-  std::uint8_t* at(std::int32_t first) noexcept { return bytes_ + before + first / 8; }
+  static std::int32_t groups_in(std::int32_t pixels) noexcept { return (pixels + 15) / 16; }
+
+  /// A group's lanes from `first` on, a multiple of eight.
+  std::uint8_t* at(std::ptrdiff_t group, std::int32_t first) noexcept {
+    return before(group, first) + in_group;
+  }
+  /// Those of the group before it; of the first one, none.
+  std::uint8_t* before(std::ptrdiff_t group, std::int32_t first) noexcept {
+    return bytes_ + in_group * group + first / 8;
+  }
 
   std::uint32_t count() const noexcept {
     std::uint32_t n = 0;
-    for (std::int32_t i = before; i < end_; i += word) {
+    for (std::int32_t i = in_group; i < end_; i += word) {
       std::uint64_t bits = 0;
       __builtin_memcpy(&bits, bytes_ + i, word);
       n += static_cast<std::uint32_t>(__builtin_popcountll(bits));
@@ -55,10 +64,10 @@ class PixelBits {
   }
 
  private:
-  static constexpr std::int32_t before = 2, word = 8;
+  static constexpr std::int32_t in_group = 2, word = 8;  // bytes
 
   std::int32_t end_;
-  std::uint8_t bytes_[before + ransac_most_pixels / 8 + word];
+  std::uint8_t bytes_[in_group + ransac_most_pixels / 8 + word];
 };
 
 struct ColumnSums {
@@ -75,7 +84,7 @@ struct ColumnSums {
 /// and to `pairs` as often as there are pairs of groups behind it: no multiplication until the end.
 class ColumnCounter {
  public:
-  /// The next sixteen pixels: the lanes from `first` on.
+  /// The next group: its lanes from `first` on.
   void add(const std::uint8_t* bytes, std::int32_t first) noexcept {
     pairs_ += times_;
     times_ += once_;

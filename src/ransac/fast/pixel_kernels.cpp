@@ -19,8 +19,17 @@ Floats inverse_of(const std::uint16_t* pixels, Floats scale) noexcept {
   return scale / Floats::load(pixels);
 }
 
+/// 1/z beyond which there is no reading.
+constexpr float most_inverse = 1e6F;
+
+/// Whether no depth has 1/z above that, and depth 0, whose 1/z is infinite, an infinite gate: none of them
+/// needs to be compared.
+bool bounded(const RansacPixels<std::uint16_t>& row) noexcept {
+  return row.scale <= most_inverse && row.metres > 0;
+}
+
 /// Some neighbouring pixels.
-template <class Q>
+template <class Q, bool are_bounded>
 struct Look {
   Floats scale, a, c, constant, metres;
 
@@ -34,7 +43,7 @@ struct Look {
     const Floats q = inverse_of(pixels, scale);
     const Floats wide = max(metres * (q * q), constant);
     r = q - (a * u + c);
-    readings = less_where(q <= Floats::all(1e6F), wide, q);
+    readings = are_bounded ? wide < q : less_where(q <= Floats::all(most_inverse), wide, q);
     return less_where(readings, r.magnitude(), wide);
   }
 };
@@ -71,52 +80,55 @@ Floats columns(std::int32_t first) noexcept {
   return Floats::load(column);
 }
 
-/// Calls visit(i, inside, readings, u, r) for each group of lanes, from pixel i on.
-template <class Q, class Visit>
+/// Calls visit(group, inside, readings, u, r) for the lanes from `first` on of each sixteen pixels.
+template <bool are_bounded, class Q, class Visit>
 void for_groups(const RansacPixels<Q>& row, std::int32_t first, Visit visit) noexcept {
-  const Look<Q> look(row);
-  const std::int32_t whole = row.count / lanes * lanes;
+  const Look<Q, are_bounded> look(row);
+  const std::ptrdiff_t whole = row.count / lanes;
+  const Q* pixels = row.pixels + first;
   Floats u = columns(first), r;
   Floats::Mask some;
   if (row.labels == nullptr) {
-    for (std::int32_t i = first; i < whole; i += lanes) {
-      const Floats::Mask inside = look.at(row.pixels + i, u, some, r);
-      visit(i, inside, some, u, r);
+    for (std::ptrdiff_t group = 0; group < whole; ++group, pixels += lanes) {
+      const Floats::Mask inside = look.at(pixels, u, some, r);
+      visit(group, inside, some, u, r);
       u = u + Floats::all(lanes);
     }
   } else {
-    for (std::int32_t i = first; i < whole; i += lanes) {
-      const Floats::Mask inside = look.at(row.pixels + i, u, some, r), free = unlabelled(row.labels + i);
-      visit(i, both(inside, free), both(some, free), u, r);
+    const std::uint16_t* labels = row.labels + first;
+    for (std::ptrdiff_t group = 0; group < whole; ++group, pixels += lanes, labels += lanes) {
+      const Floats::Mask inside = look.at(pixels, u, some, r), free = unlabelled(labels);
+      visit(group, both(inside, free), both(some, free), u, r);
       u = u + Floats::all(lanes);
     }
   }
-  if (whole == row.count) return;
-  const Tail<Q> tail(row, whole);
+  if (whole * lanes == row.count) return;
+  const Tail<Q> tail(row, static_cast<std::int32_t>(whole) * lanes);
   const Floats::Mask inside = look.at(tail.pixels + first, u, some, r),
                      free = unlabelled(tail.labels + first);
-  visit(whole + first, both(inside, free), both(some, free), u, r);
+  visit(whole, both(inside, free), both(some, free), u, r);
 }
 
-template <class Q>
+template <bool are_bounded, class Q>
 RansacPixelSums sum(const RansacPixels<Q>& row) noexcept {
   alignas(64) float lane[3][lanes];
   PixelBits inliers(row.count), readings(row.count);
+  const std::int32_t groups = PixelBits::groups_in(row.count);
   ColumnSums whole;
   for (std::int32_t first = 0; first < lanes; first += width) {
     Sums sums;
-    ColumnCounter columns_before;
-    for_groups(row, first,
-               [&](std::int32_t i, Floats::Mask inside, Floats::Mask some, Floats u, Floats r) noexcept {
-                 // Those that were stored last time are there by now.
-                 columns_before.add(inliers.at(i - lanes), first);
-                 store_bits(inside, inliers.at(i));
-                 store_bits(some, readings.at(i));
-                 sums.add(inside, u, r);
-               });
-    const std::int32_t groups = (row.count + lanes - 1) / lanes;
-    columns_before.add(inliers.at((groups - 1) * lanes + first), first);
-    whole += columns_before.sums(groups);
+    ColumnCounter counter;
+    for_groups<are_bounded>(
+        row, first,
+        [&](std::ptrdiff_t group, Floats::Mask inside, Floats::Mask some, Floats u, Floats r) noexcept {
+          // What was stored last time is there by now.
+          counter.add(inliers.before(group, first), first);
+          store_bits(inside, inliers.at(group, first));
+          store_bits(some, readings.at(group, first));
+          sums.add(inside, u, r);
+        });
+    counter.add(inliers.before(groups, first), first);
+    whole += counter.sums(groups);
     sums.r.store(lane[0] + first);
     sums.ur.store(lane[1] + first);
     sums.rr.store(lane[2] + first);
@@ -130,32 +142,33 @@ RansacPixelSums sum(const RansacPixels<Q>& row) noexcept {
           .rr = fold(lane[2])};
 }
 
-template <class Q>
+template <bool are_bounded, class Q>
 std::uint32_t count(const RansacPixels<Q>& row) noexcept {
   std::uint32_t n = 0;
   for (std::int32_t first = 0; first < lanes; first += width)
-    for_groups(row, first, [&](std::int32_t, Floats::Mask inside, Floats::Mask, Floats, Floats) noexcept {
-      n += count_of(inside);
-    });
+    for_groups<are_bounded>(row, first,
+                            [&](std::ptrdiff_t, Floats::Mask inside, Floats::Mask, Floats, Floats) noexcept {
+                              n += count_of(inside);
+                            });
   return n;
 }
 
 }  // namespace
 
 RansacPixelSums sum_inverse_pixels(const RansacPixels<float>& row) noexcept {
-  return sum(row);
+  return sum<false>(row);
 }
 
 std::uint32_t count_inverse_pixels(const RansacPixels<float>& row) noexcept {
-  return count(row);
+  return count<false>(row);
 }
 
 RansacPixelSums sum_raw_pixels(const RansacPixels<std::uint16_t>& row) noexcept {
-  return sum(row);
+  return bounded(row) ? sum<true>(row) : sum<false>(row);
 }
 
 std::uint32_t count_raw_pixels(const RansacPixels<std::uint16_t>& row) noexcept {
-  return count(row);
+  return bounded(row) ? count<true>(row) : count<false>(row);
 }
 
 }  // namespace straightedge::STRAIGHTEDGE_KERNEL_SET
