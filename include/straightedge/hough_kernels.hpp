@@ -34,10 +34,19 @@ struct HoughBatch {
   std::int32_t count = 0;
 };
 
-/// For each pixel of a batch the first of the angles at which its cell has the most votes.
+/// For each pixel of a batch the first of the angles at which its cell has the most votes; 0 votes where none
+/// has enough of them.
 struct HoughSeen {
   std::int16_t votes[hough_batch_room] = {};
   std::uint16_t angles[hough_batch_room] = {};
+};
+
+/// A pixel's turn. Those of the batch behind it have voted, and those that leave have not taken their votes
+/// off yet; neither count.
+struct HoughTurn {
+  const HoughBatch* voting = nullptr;
+  std::int32_t at = 0;  ///< the pixel's number
+  const HoughBatch* leaving = nullptr;
 };
 
 /// A line that a pixel may lie on.
@@ -49,18 +58,18 @@ struct HoughCandidate {
 /// For accumulators whose cells are of type Cell.
 template <class Cell>
 struct HoughCellKernels {
-  /// One more vote in the cells of all pixels of the batch, at every angle. What each has seen: its own vote
-  /// and those of the pixels before it count.
-  void (*cast)(Cell* cells, const HoughRows& rows, const HoughBatch& batch, HoughSeen& seen) noexcept;
+  /// One more vote in the cells of all pixels of the batch, at every angle. What each has seen, if that is
+  /// `threshold` votes or more: its own vote and those of the pixels before it count.
+  void (*cast)(Cell* cells, const HoughRows& rows, const HoughBatch& batch, std::int32_t threshold,
+               HoughSeen& seen) noexcept;
 
   /// One vote less.
   void (*take_off)(Cell* cells, const HoughRows& rows, const HoughBatch& batch) noexcept;
 
-  /// What pixel `at` of the batch sees when it is its turn: the first angle with the most votes, at least
-  /// `threshold`. Those behind it have voted, too; their votes do not count. `seen` is what it saw when it
-  /// voted, and cells have only lost votes since.
-  HoughCandidate (*find)(const Cell* cells, const HoughRows& rows, const HoughBatch& batch, std::int32_t at,
-                         HoughCandidate seen, std::int32_t threshold) noexcept;
+  /// What a pixel sees when it is its turn: the first angle with the most votes, at least `threshold`. `seen`
+  /// is what it saw when it voted, and cells have only lost votes since.
+  HoughCandidate (*find)(const Cell* cells, const HoughRows& rows, const HoughTurn& turn, HoughCandidate seen,
+                         std::int32_t threshold) noexcept;
 
   /// One pixel of the batch after the other, from number `from` on, votes for the angles of its window, which
   /// begins at its `firsts`, until one sees `threshold` votes or more: its number, and the first angle with

@@ -29,25 +29,24 @@ inline void find_cells(const HoughRows& rows, std::int32_t n, const HoughBatch& 
   }
 }
 
-/// What the pixels have seen up to angle n.
-inline void keep_most(const std::int16_t* __restrict votes, std::int32_t n, HoughSeen& seen) noexcept {
-  const auto angle = static_cast<std::uint16_t>(n);
-  for (std::int32_t i = 0; i < room; ++i) {
-    const bool more = votes[i] > seen.votes[i];
-    seen.votes[i] = more ? votes[i] : seen.votes[i];
-    seen.angles[i] = more ? angle : seen.angles[i];
-  }
+/// A pixel sees more votes at angle n than at those before it.
+inline void keep_most(HoughSeen& seen, std::int32_t i, std::int32_t votes, std::int32_t n) noexcept {
+  if (votes <= seen.votes[i]) return;
+  seen.votes[i] = static_cast<std::int16_t>(votes);
+  seen.angles[i] = static_cast<std::uint16_t>(n);
 }
 
-/// One more vote in each of the cells, and how many there are then. By fours, since not every compiler
-/// unrolls loops by itself.
+/// One more vote in each of the cells. Few are that full that somebody has to keep how many there are, and to
+/// write that down for all takes as long as voting. By fours, since not every compiler unrolls loops by
+/// itself.
 template <class Cell>
-inline void cast_row(Cell* cells, const std::uint32_t* index, std::int32_t count,
-                     std::int16_t* votes) noexcept {
+inline void cast_row(Cell* cells, const std::uint32_t* index, std::int32_t count, std::int32_t threshold,
+                     std::int32_t n, HoughSeen& seen) noexcept {
   const auto cast_one = [&](std::int32_t i) noexcept {
-    Cell& cell = cells[index[i]];
-    cell = static_cast<Cell>(cell + 1);
-    votes[i] = static_cast<std::int16_t>(cell);
+    const std::int32_t votes = cells[index[i]] + 1;
+    cells[index[i]] = static_cast<Cell>(votes);
+    if (votes >= threshold) [[unlikely]]
+      keep_most(seen, i, votes, n);
   };
   std::int32_t i = 0;
   for (; i + unrolled <= count; i += unrolled)
@@ -67,19 +66,15 @@ inline void take_row_off(Cell* cells, const std::uint32_t* index, std::int32_t c
 }
 
 template <class Cell>
-void cast(Cell* cells, const HoughRows& rows, const HoughBatch& batch, HoughSeen& seen) noexcept {
-  // The votes of one angle are compared while those of the next are cast: reading at once, in wide
-  // words, what was just written in narrow ones would have to wait.
+void cast(Cell* cells, const HoughRows& rows, const HoughBatch& batch, std::int32_t threshold,
+          HoughSeen& seen) noexcept {
   std::uint32_t index[room];
-  std::int16_t votes[2][room] = {};
   const std::int32_t count = batch.count;
   for (std::int32_t i = 0; i < room; ++i) seen.votes[i] = 0;
   for (std::int32_t n = 0; n < rows.angles; ++n) {
     find_cells(rows, n, batch, room, index);
-    cast_row(cells, index, count, votes[n & 1]);
-    if (n > 0) keep_most(votes[(n & 1) ^ 1], n - 1, seen);
+    cast_row(cells, index, count, threshold, n, seen);
   }
-  keep_most(votes[(rows.angles & 1) ^ 1], rows.angles - 1, seen);
 }
 
 template <class Cell>
@@ -92,41 +87,43 @@ void take_off(Cell* cells, const HoughRows& rows, const HoughBatch& batch) noexc
   }
 }
 
-/// How many of the pixels behind `at` vote for the same cell as it does.
-inline std::int32_t count_later(float cosine, float sine, const HoughBatch& batch, std::int32_t at) noexcept {
-  const float own = batch.x[at] * cosine + batch.y[at] * sine + rounding;
-  std::int32_t later = 0;
-  for (std::int32_t i = at + 1; i < batch.count; ++i)
-    later += batch.x[i] * cosine + batch.y[i] * sine + rounding == own ? 1 : 0;
-  return later;
+/// How many of the batch's pixels from number `first` on have the same sum at an angle.
+inline std::int32_t count_same(float cosine, float sine, float sum, const HoughBatch& batch,
+                               std::int32_t first) noexcept {
+  std::int32_t same = 0;
+  for (std::int32_t i = first; i < batch.count; ++i)
+    same += batch.x[i] * cosine + batch.y[i] * sine + rounding == sum ? 1 : 0;
+  return same;
 }
 
-/// The votes in the cell of pixel `at` at angle n, without those of the pixels behind it.
+/// The votes in the cell of a pixel at angle n, when it is its turn.
 template <class Cell>
-inline std::int32_t votes_in_turn(const Cell* cells, const HoughRows& rows, const HoughBatch& batch,
-                                  std::int32_t at, std::int32_t n) noexcept {
-  const float sum = batch.x[at] * rows.cosines[n] + batch.y[at] * rows.sines[n] + rounding;
+inline std::int32_t votes_in_turn(const Cell* cells, const HoughRows& rows, const HoughTurn& turn,
+                                  std::int32_t n) noexcept {
+  const float cosine = rows.cosines[n], sine = rows.sines[n];
+  const float sum = turn.voting->x[turn.at] * cosine + turn.voting->y[turn.at] * sine + rounding;
   return cells[__builtin_bit_cast(std::uint32_t, sum) + rows.offsets[n]] -
-         count_later(rows.cosines[n], rows.sines[n], batch, at);
+         count_same(cosine, sine, sum, *turn.voting, turn.at + 1) -
+         count_same(cosine, sine, sum, *turn.leaving, 0);
 }
 
 template <class Cell>
-HoughCandidate find(const Cell* cells, const HoughRows& rows, const HoughBatch& batch, std::int32_t at,
-                    HoughCandidate seen, std::int32_t threshold) noexcept {
+HoughCandidate find(const Cell* cells, const HoughRows& rows, const HoughTurn& turn, HoughCandidate seen,
+                    std::int32_t threshold) noexcept {
   // Other cells had fewer votes, or not more and come later; and there are none that have got more.
-  if (votes_in_turn(cells, rows, batch, at, seen.angle) == seen.votes) return seen;
+  if (votes_in_turn(cells, rows, turn, seen.angle) == seen.votes) return seen;
   HoughCandidate best{threshold - 1, -1};
+  const float x = turn.voting->x[turn.at], y = turn.voting->y[turn.at];
   std::uint32_t index[block];
   for (std::int32_t first = 0; first < rows.angles; first += block) {
     const std::int32_t angles = rows.angles - first < block ? rows.angles - first : block;
     for (std::int32_t k = 0; k < angles; ++k) {
-      const float sum =
-          batch.x[at] * rows.cosines[first + k] + batch.y[at] * rows.sines[first + k] + rounding;
+      const float sum = x * rows.cosines[first + k] + y * rows.sines[first + k] + rounding;
       index[k] = __builtin_bit_cast(std::uint32_t, sum) + rows.offsets[first + k];
     }
     for (std::int32_t k = 0; k < angles; ++k) {
       if (cells[index[k]] <= best.votes) continue;
-      const std::int32_t votes = votes_in_turn(cells, rows, batch, at, first + k);
+      const std::int32_t votes = votes_in_turn(cells, rows, turn, first + k);
       if (votes > best.votes) best = {votes, first + k};
     }
   }

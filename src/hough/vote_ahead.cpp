@@ -39,7 +39,8 @@ class VotingAhead {
   bool run() noexcept {
     while (drawing_.left() > 0) {
       draw();
-      kernels_.cast(cells_, rows_, ahead_.voting, ahead_.seen);  // a
+      take_off();                                                                        // e
+      kernels_.cast(cells_, rows_, ahead_.voting, job_.options.threshold, ahead_.seen);  // a
       for (std::int32_t i = 0; i < ahead_.voting.count; ++i) {
         job_.result.draws = ahead_.draws[i];
         if (turn(i)) continue;
@@ -48,6 +49,7 @@ class VotingAhead {
         return false;
       }
     }
+    take_off();
     job_.result.draws = job_.result.edge_pixels;
     return true;
   }
@@ -73,34 +75,35 @@ class VotingAhead {
     const PixelPlace pixel = ahead_.places[i];
     if (all.at(pixel.x, pixel.y) == PixelState::gone) {  // d
       leave(pixel);
-      take_off();
       return true;
     }
     all.set(pixel.x, pixel.y, PixelState::voted);
     const std::int32_t threshold = job_.options.threshold;
     const HoughCandidate seen{ahead_.seen.votes[i], ahead_.seen.angles[i]};
-    if (seen.votes < threshold) return true;                                                           // b
-    const HoughCandidate candidate = kernels_.find(cells_, rows_, ahead_.voting, i, seen, threshold);  // c
+    if (seen.votes < threshold) return true;  // b
+    const HoughCandidate candidate =
+        kernels_.find(cells_, rows_, {&ahead_.voting, i, &ahead_.leaving}, seen, threshold);  // c
     if (candidate.angle < 0) return true;
-    const bool going_on = follow_line(job_, pixel, candidate, [this](PixelPlace taken) { leave(taken); });
-    take_off();
-    return going_on;
+    return follow_line(job_, pixel, candidate, [this](PixelPlace taken) { leave(taken); });
   }
 
   void leave(PixelPlace pixel) noexcept {
-    ahead_.left_behind[leaving_++] = pixel;
-    if (leaving_ == room) take_off();
+    ahead_.left_behind[ahead_.leaving.count] = pixel;
+    add(ahead_.leaving, pixel);
+    if (ahead_.leaving.count == room) take_off();
   }
 
   void take_off() noexcept {
     // Neighbours on a line share cells at many angles, and who decrements a cell waits for the one before:
     // so neighbours are kept apart.
     constexpr std::int32_t apart = 8;
-    ahead_.leaving.count = 0;
+    HoughBatch& leaving = ahead_.leaving;
+    const std::int32_t count = leaving.count;
+    leaving.count = 0;
     for (std::int32_t first = 0; first < apart; ++first)
-      for (std::int32_t i = first; i < leaving_; i += apart) add(ahead_.leaving, ahead_.left_behind[i]);
-    if (leaving_ > 0) kernels_.take_off(cells_, rows_, ahead_.leaving);
-    leaving_ = 0;
+      for (std::int32_t i = first; i < count; i += apart) add(leaving, ahead_.left_behind[i]);
+    if (count > 0) kernels_.take_off(cells_, rows_, leaving);
+    leaving.count = 0;
   }
 
   HoughJob& job_;
@@ -109,7 +112,6 @@ class VotingAhead {
   const HoughCellKernels<Cell>& kernels_;
   HoughRows rows_;
   Drawing drawing_;
-  std::int32_t leaving_ = 0;
 };
 
 template <class Cell>

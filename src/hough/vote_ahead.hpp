@@ -16,9 +16,10 @@ bool may_vote_ahead(const HoughJob& job) noexcept;
 ///      other stays in the cache.
 ///   b. Then it is their turn, one by one. Cells can only have lost votes since: who saw fewer than
 ///      `threshold` votes when it voted has no candidate.
-///   c. For the others the candidate is found anew, without the votes of those whose turn has not come.
-///   d. Who was taken by a line meanwhile takes its votes off.
-/// Votes of a line's pixels come off together, too.
+///   c. For the others the candidate is found anew, without the votes of those whose turn has not come and
+///      of those that leave.
+///   d. Who was taken by a line meanwhile leaves, as the line's pixels do.
+///   e. Those that leave take their votes off together, before others vote.
 bool vote_ahead(HoughJob& job) noexcept;
 
 }  // namespace straightedge::hough
