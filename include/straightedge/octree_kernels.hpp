@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The inner loop of Octree::build (octree.hpp) over the coordinates, as a table. The plain table is always
-/// there; others hold the same text compiled for more instructions, which gives the same bits. Which of them
-/// this machine can run, the application must know (host/kernels.hpp asks the processor): a table's functions
-/// stop a program that has not the instructions.
+#include "straightedge/morton.hpp"
+
+/// The inner loops of Octree::build (octree.hpp) over points that follow one another, as a table. The plain
+/// table is always there; others hold the same text compiled for more instructions, which gives the same
+/// bits. Which of them this machine can run, the application must know (host/kernels.hpp asks the processor):
+/// a table's functions stop a program that has not the instructions.
 namespace straightedge {
 
 /// One axis of an octree's cells: cell = floor((x - origin) * scale + offset), from 0 to below `end`.
@@ -16,10 +18,38 @@ struct OctreeAxis {
   double origin = 0, scale = 1, offset = 0, end = 0;
 };
 
+/// Cells of points that follow one another, an axis at a time, so that processors take several points at
+/// once.
+struct OctreeCellBatch {
+  static constexpr std::size_t size = 64;
+
+  /// Element 0 is the last point of the batch before; an axis on which a point is outside the cube or not a
+  /// number is -1, and so is every axis before the first point.
+  std::int32_t x[size + 1], y[size + 1], z[size + 1];
+
+  OctreeCellBatch() noexcept { x[size] = y[size] = z[size] = -1; }
+};
+
+/// Where runs of points begin that share a cell.
+struct OctreeRunStarts {
+  std::uint32_t count = 0;                       ///< in the batch
+  std::uint32_t at[OctreeCellBatch::size];       ///< places in the batch, ascending
+  std::uint32_t part[OctreeCellBatch::size];     ///< of the Morton code, its nine lowest levels
+  std::uint32_t outside[OctreeCellBatch::size];  ///< 1: an axis of the cell is -1
+
+  /// A cell in the cube, which the others there are compared with.
+  MortonCell first;
+  std::uint32_t part_differs = 0;  ///< bits in which any of their parts has differed from its part so far
+  std::uint32_t cell_differs = 0;  ///< and any of their coordinates, along whichever axis, from its own
+};
+
 struct OctreeKernels {
   /// Cells of coordinates; -1 for one that is outside or not a number.
   void (*cells)(const float* coordinates, std::size_t count, const OctreeAxis& axis,
                 std::int32_t* cells) noexcept;
+  /// Of the first `points` of a batch those that are in another cell than the one before. Only the last batch
+  /// has fewer than its size.
+  void (*starts)(const OctreeCellBatch& cells, std::size_t points, OctreeRunStarts& starts) noexcept;
 };
 
 /// Portable loops; what every other table is compared with.

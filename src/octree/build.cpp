@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
 #include "octree/code_reader.hpp"
+#include "octree/copy_points.hpp"
 #include "octree/merge_points.hpp"
 #include "octree/sort_points.hpp"
 #include "straightedge/octree.hpp"

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "octree/cells_of.hpp"
 
-#include <cstring>
-
 namespace straightedge::octree {
 namespace {
 
@@ -17,31 +15,15 @@ const float* side_by_side(const float* axis, std::ptrdiff_t stride, std::size_t 
   return room;
 }
 
-using Four [[gnu::vector_size(16)]] = std::int32_t;
-
-Four load(const std::int32_t* from) noexcept {
-  Four cells;
-  std::memcpy(&cells, from, sizeof(cells));
-  return cells;
-}
-
 }  // namespace
 
-void CellBatch::find_starts(std::int32_t* starts) const noexcept {
-  const auto changes = [](const std::int32_t* axis) noexcept { return load(axis) ^ load(axis + 1); };
-  for (std::size_t i = 0; i < size; i += 4) {
-    const Four differs = (changes(x + i) | changes(y + i) | changes(z + i)) != 0;
-    std::memcpy(starts + i, &differs, sizeof(differs));
-  }
-}
-
 void cells_of(const PointsView& view, const OctreeGrid& grid, std::size_t begin, std::size_t count,
-              const OctreeKernels& kernels, CellBatch& cells) noexcept {
-  cells.x[0] = cells.x[CellBatch::size];
-  cells.y[0] = cells.y[CellBatch::size];
-  cells.z[0] = cells.z[CellBatch::size];
+              const OctreeKernels& kernels, OctreeCellBatch& cells) noexcept {
+  cells.x[0] = cells.x[OctreeCellBatch::size];
+  cells.y[0] = cells.y[OctreeCellBatch::size];
+  cells.z[0] = cells.z[OctreeCellBatch::size];
   const double scale = 1 / grid.leaf_m;
-  float room[CellBatch::size];
+  float room[OctreeCellBatch::size];
   const auto axis = [&](const float* from, double origin, std::int32_t* to) {
     kernels.cells(side_by_side(from, view.stride, begin, count, room), count,
                   {origin, scale, octree_origin_cell, morton_side}, to + 1);

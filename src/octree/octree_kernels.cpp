@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/octree_kernels.hpp"
 
-#include "base/kernel_set.hpp"
+#include "octree/run_parts.hpp"
 
 namespace straightedge {
 namespace STRAIGHTEDGE_KERNEL_SET {
@@ -26,6 +26,7 @@ void cells_of_axis(const float* coordinates, std::size_t count, const OctreeAxis
 extern const OctreeKernels STRAIGHTEDGE_OF_SET(_octree_kernels);
 constinit const OctreeKernels STRAIGHTEDGE_OF_SET(_octree_kernels) = {
     STRAIGHTEDGE_KERNEL_SET::cells_of_axis,
+    STRAIGHTEDGE_KERNEL_SET::find_run_starts,
 };
 
 }  // namespace straightedge

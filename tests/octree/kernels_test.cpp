@@ -22,7 +22,75 @@ float coordinate(Pcg32& random) {
   return random.below(10) == 0 ? odd[random.below(10)] : 8 * test::unit(random);
 }
 
+/// Cells of points that mostly stay where the one before was; some are outside the cube.
+void next_batch(Pcg32& random, OctreeCellBatch& cells) {
+  constexpr auto size = OctreeCellBatch::size;
+  const auto next = [&](std::int32_t(&to)[size + 1]) {
+    to[0] = to[size];
+    for (std::size_t i = 1; i <= size; ++i) {
+      const std::uint32_t chance = random.below(40);
+      to[i] = chance == 0   ? -1
+              : chance == 1 ? static_cast<std::int32_t>(random.below(morton_side))
+              : chance < 8 ? static_cast<std::int32_t>(octree_origin_cell) + static_cast<std::int32_t>(chance)
+                           : to[i - 1];
+    }
+  };
+  next(cells.x);
+  next(cells.y);
+  next(cells.z);
+}
+
+MortonCell cell_at(const OctreeCellBatch& cells, std::size_t i) {
+  return {static_cast<std::uint32_t>(cells.x[i + 1]), static_cast<std::uint32_t>(cells.y[i + 1]),
+          static_cast<std::uint32_t>(cells.z[i + 1])};
+}
+
+/// What starts say, found point by point.
+void require_starts(const OctreeCellBatch& cells, std::size_t points, const OctreeRunStarts& found,
+                    std::uint64_t& differs, std::uint32_t& cell_differs) {
+  constexpr std::uint32_t part_bits = (1U << 27U) - 1;
+  const MortonCell first = found.first;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < points; ++i) {
+    const MortonCell cell = cell_at(cells, i);
+    if (cell == cell_at(cells, i - 1)) continue;
+    CAPTURE(i, k);
+    REQUIRE(k < found.count);
+    const bool outside = cells.x[i + 1] < 0 || cells.y[i + 1] < 0 || cells.z[i + 1] < 0;
+    REQUIRE(found.at[k] == i);
+    REQUIRE(found.outside[k] == (outside ? 1U : 0U));
+    if (!outside) {
+      REQUIRE(found.part[k] == (morton_encode(cell) & part_bits));
+      differs |= morton_encode(cell) ^ morton_encode(first);
+      cell_differs |= (cell.x ^ first.x) | (cell.y ^ first.y) | (cell.z ^ first.z);
+    }
+    ++k;
+  }
+  REQUIRE(k == found.count);
+  REQUIRE(found.part_differs == (differs & part_bits));
+  REQUIRE(found.cell_differs == cell_differs);
+}
+
 }  // namespace
+
+TEST_CASE("every set of kernels finds the runs that are found point by point") {
+  for (const KernelSet& set : kernel_sets()) {
+    for (std::size_t last = 1; last <= OctreeCellBatch::size; ++last) {
+      CAPTURE(std::string(set.name), last);
+      Pcg32 random(last);
+      OctreeCellBatch cells;
+      OctreeRunStarts starts;
+      starts.first = {random.below(morton_side), random.below(morton_side), random.below(morton_side)};
+      std::uint64_t differs = 0;
+      std::uint32_t cell_differs = 0;
+      for (const std::size_t points : {OctreeCellBatch::size, OctreeCellBatch::size, last}) {
+        next_batch(random, cells);
+        set.octree->starts(cells, points, starts);
+        require_starts(cells, points, starts, differs, cell_differs);
+      }
+    }
+  }
+}
 
 TEST_CASE("every set of kernels finds the cells that the plain one finds") {
   for (const KernelSet& set : kernel_sets()) {

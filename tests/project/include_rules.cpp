@@ -45,7 +45,7 @@ const std::map<std::string, Names> library_users = {
     {"CLI/", {"cli"}},
     {"nlohmann/", {"cli", "io"}},
     {"Eigen/", {"map"}},
-    {"immintrin.h", {"canny/fast", "fit/fast", "ransac/fast"}},
+    {"immintrin.h", {"canny/fast", "fit/fast", "octree/fast", "ransac/fast"}},
     {"emmintrin.h", {"canny/fast"}},
     {"opencv", {}},
     {"boost/", {}},
