@@ -109,7 +109,8 @@ void print_rows_of(const Scene& scene, const PointIndex& peer, OurOctree& octree
   std::vector<double> ours(positions.size()), theirs(positions.size());
   std::size_t alike = 0;
   print_row({"nearest point of 20 000", std::to_string(scene.cloud.size()) + " points, " + scene.name,
-             "plain", [&] { octree.nearest(positions, ours); }, [&] { peer.nearest(positions, theirs); },
+             std::string(best_kernels().name), [&] { octree.nearest(positions, ours); },
+             [&] { peer.nearest(positions, theirs); },
              [&] {
                for (std::size_t i = 0; i < ours.size(); ++i) alike += nearly(ours[i], theirs[i]);
                return exact(scene.cloud, positions, ours) && alike == ours.size();

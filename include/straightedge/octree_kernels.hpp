@@ -7,10 +7,10 @@
 
 #include "straightedge/morton.hpp"
 
-/// The inner loops of Octree::build (octree.hpp) over points that follow one another, as a table. The plain
-/// table is always there; others hold the same text compiled for more instructions, which gives the same
-/// bits. Which of them this machine can run, the application must know (host/kernels.hpp asks the processor):
-/// a table's functions stop a program that has not the instructions.
+/// The inner loops of Octree::build and Octree::nearest (octree.hpp) over points that follow one another, as
+/// a table. The plain table is always there; others hold the same text compiled for more instructions, which
+/// gives the same bits. Which of them this machine can run, the application must know (host/kernels.hpp asks
+/// the processor): a table's functions stop a program that has not the instructions.
 namespace straightedge {
 
 /// One axis of an octree's cells: cell = floor((x - origin) * scale + offset), from 0 to below `end`.
@@ -43,6 +43,17 @@ struct OctreeRunStarts {
   std::uint32_t cell_differs = 0;  ///< and any of their coordinates, along whichever axis, from its own
 };
 
+/// Which points of a leaf may be the nearest to a position.
+struct OctreeNearTask {
+  static constexpr std::uint32_t most_blocks = 16;
+
+  const std::uint32_t* blocks = nullptr;  ///< of points, as octree_point.hpp has them
+  std::uint32_t count = 0;                ///< of blocks, from 1 to `most_blocks`
+  float x = 0, y = 0, z = 0;              ///< the position
+  float limit = 0;                        ///< what is farther, squared, is not asked for
+  double slack = 0, loss = 0;  ///< a point may be nearer than one at `square` up to square slack + loss
+};
+
 struct OctreeKernels {
   /// Cells of coordinates; -1 for one that is outside or not a number.
   void (*cells)(const float* coordinates, std::size_t count, const OctreeAxis& axis,
@@ -50,6 +61,9 @@ struct OctreeKernels {
   /// Of the first `points` of a batch those that are in another cell than the one before. Only the last batch
   /// has fewer than its size.
   void (*starts)(const OctreeCellBatch& cells, std::size_t points, OctreeRunStarts& starts) noexcept;
+  /// A bit for each point, the first one's the lowest: its square in floats, (x² + y²) + z², is not above the
+  /// limit, nor certainly above the least of all.
+  std::uint64_t (*near)(const OctreeNearTask& task) noexcept;
 };
 
 /// Portable loops; what every other table is compared with.

@@ -8,7 +8,8 @@
 #include <limits>
 #include <span>
 
-#include "octree/lanes.hpp"
+#include "base/lowest_bit.hpp"
+#include "straightedge/octree_kernels.hpp"
 #include "straightedge/octree_point.hpp"
 #include "straightedge/vector3.hpp"
 
@@ -16,12 +17,6 @@ namespace straightedge::octree {
 
 // Four numbers that are treated alike; the bits do not depend on how many a processor takes at once.
 using Floats4 = float __attribute__((vector_size(16)));
-using Words4 = std::uint32_t __attribute__((vector_size(16)));
-
-inline float least_of(const Floats4& v) noexcept {
-  const float a = v[0] < v[1] ? v[0] : v[1], b = v[2] < v[3] ? v[2] : v[3];
-  return a < b ? a : b;
-}
 
 /// Tells in floats, four points at a time, which points are certainly too far; the others are looked at in
 /// doubles.
@@ -52,12 +47,8 @@ class FarFilter {
     return (halves[0] & halves[1]) == UINT64_MAX;
   }
 
-  bool far(float squared) const noexcept { return squared > limit_; }
-  float limit() const noexcept { return limit_; }
-  /// A point whose square in floats is `squared` is not farther than one whose square is this.
-  float not_farther_than(float squared) const noexcept {
-    const double limit = raised(static_cast<double>(squared));
-    return limit < 0x1p127 ? static_cast<float>(limit) : squared;
+  OctreeNearTask near_task(const std::uint32_t* blocks, std::uint32_t count) const noexcept {
+    return {blocks, count, x_, y_, z_, limit_, slack, loss_};
   }
 
   Floats4 squared(const std::uint32_t* block) const noexcept {
@@ -74,8 +65,10 @@ class FarFilter {
  private:
   /// At least (s + loss)² for a squared distance s², without a root: 2 s loss is at most s² / 2^11 + 2^11
   /// loss².
-  double raised(double squared) const noexcept { return squared * (1 + 0x1p-10) + loss_; }
+  double raised(double squared) const noexcept { return squared * slack + loss_; }
   static double squared_loss(double loss) noexcept { return loss * loss * (1 + 0x1p12) + 0x1p-120; }
+
+  static constexpr double slack = 1 + 0x1p-10;
 
   float x_, y_, z_;
   float limit_ = 0;
@@ -113,48 +106,22 @@ void for_near_points(std::span<const std::uint32_t> words, std::uint32_t first, 
 /// Lowers `best` to the nearest of the places `first` to `end`, when one of them is nearer. `filter` has the
 /// limit of `best` before and after.
 ///
-/// Floats tell how near the nearest point of each lane is, which one it is, and how near the next. When no
-/// next one can be the nearest of all, few points are left, mostly one. Points of other leaves in the blocks
-/// on the border are welcome: they are in the octree, too, and bound the distance.
-[[gnu::always_inline]] inline void find_nearest(std::span<const std::uint32_t> words, std::uint32_t first,
+/// Floats tell which points can be: few, mostly one. Points of other leaves in the blocks on the border are
+/// welcome: they are in the octree, too, and bound the distance.
+[[gnu::always_inline]] inline void find_nearest(const OctreeKernels& kernels,
+                                                std::span<const std::uint32_t> words, std::uint32_t first,
                                                 std::uint32_t end, const Vector3& from, FarFilter& filter,
                                                 OctreeNeighbour& best) noexcept {
   constexpr auto in_block = static_cast<std::uint32_t>(octree_block_points);
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   const std::uint32_t begin = first - first % in_block;
-  // Of a few points each is looked at that may be nearer.
-  if (end - begin <= 2 * in_block) {
-    for (std::uint32_t block = begin; block < end; block += in_block) {
-      const Floats4 here = filter.squared(words.data() + octree_point_words * block);
-      for (std::uint32_t lane = 0; lane < in_block; ++lane)
-        if (!filter.far(here[lane])) take_nearer(words, block + lane, from, best);
-    }
+  constexpr std::uint32_t at_once = OctreeNearTask::most_blocks;
+  for (std::uint32_t start = begin; start < end; start += at_once * in_block) {
+    const std::uint32_t left = (end - start + in_block - 1) / in_block;
+    std::uint64_t near = kernels.near(
+        filter.near_task(words.data() + octree_point_words * start, left < at_once ? left : at_once));
+    for (; near != 0; near &= near - 1) take_nearer(words, start + detail::lowest_bit(near), from, best);
     filter.set_limit(best.squared_distance);
-    return;
   }
-  Floats4 nearest{infinity, infinity, infinity, infinity}, next = nearest;
-  Words4 places{begin, begin + 1, begin + 2, begin + 3}, nearest_places = places;
-  for (std::uint32_t block = begin; block < end; block += in_block) {
-    const Floats4 here = filter.squared(words.data() + octree_point_words * block);
-    const Floats4 farther = nearest < here ? here : nearest;
-    next = farther < next ? farther : next;
-    nearest = here < nearest ? here : nearest;
-    // Not whether it is less: processors have a minimum in one step where its comparison is not needed.
-    nearest_places = nearest == here ? places : nearest_places;
-    places += in_block;
-  }
-  const float least = least_of(nearest);
-  if (least > filter.limit()) return;
-  const float reach = filter.not_farther_than(least);
-  const float limit = reach < filter.limit() ? reach : filter.limit();
-  if (least_of(next) <= limit) {
-    for (std::uint32_t place = first; place < end; ++place) take_nearer(words, place, from, best);
-  } else {
-    for (Lanes<32> lanes(nearest <= limit); lanes.any();) {
-      take_nearer(words, nearest_places[lanes.take()], from, best);
-    }
-  }
-  filter.set_limit(best.squared_distance);
 }
 
 }  // namespace straightedge::octree

@@ -143,7 +143,7 @@ OctreeFound Octree::nearest(const Vector3& position, OctreeNeighbour& out,
   for_near_leaves(
       groups_, nodes_, distance, best.squared_distance,
       [&](std::uint32_t place, std::uint32_t end) {
-        octree::find_nearest(memory_.points, place, end, position, filter, best);
+        octree::find_nearest(*options_.kernels, memory_.points, place, end, position, filter, best);
         return best.squared_distance;
       },
       [&] { return best.squared_distance; });

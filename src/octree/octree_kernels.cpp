@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "straightedge/octree_kernels.hpp"
 
+#include "octree/near_kernel.hpp"
 #include "octree/run_parts.hpp"
 
 namespace straightedge {
@@ -27,6 +28,7 @@ extern const OctreeKernels STRAIGHTEDGE_OF_SET(_octree_kernels);
 constinit const OctreeKernels STRAIGHTEDGE_OF_SET(_octree_kernels) = {
     STRAIGHTEDGE_KERNEL_SET::cells_of_axis,
     STRAIGHTEDGE_KERNEL_SET::find_run_starts,
+    STRAIGHTEDGE_KERNEL_SET::find_near,
 };
 
 }  // namespace straightedge

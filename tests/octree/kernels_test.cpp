@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -92,6 +93,46 @@ TEST_CASE("every set of kernels finds the runs that are found point by point") {
   }
 }
 
+TEST_CASE("every set of kernels finds the points that the plain one finds near, and the nearest is of them") {
+  Pcg32 random(5);
+  std::vector<std::uint32_t> blocks(octree_point_words * 64);
+  for (int round = 0; round < 2000; ++round) {
+    const std::uint32_t count = 1 + random.below(OctreeNearTask::most_blocks);
+    // Some in a small place, so that many are as near as others; some lanes hold no point.
+    const float wide = random.below(2) == 0 ? 1.0F : 1e-4F;
+    std::vector<OctreePoint> points(4 * std::size_t{count});
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      const float nowhere = std::numeric_limits<float>::infinity();
+      points[i] = {wide * test::unit(random), wide * test::unit(random), wide * test::unit(random), i};
+      if (i > 0 && random.below(20) == 0) points[i] = {nowhere, nowhere, nowhere, UINT32_MAX};
+      points[i].write(blocks, i);
+    }
+    const double slack = 1 + 0x1p-10, loss = 1e-14;
+    const float limit = random.below(3) == 0 ? 0.05F : std::numeric_limits<float>::infinity();
+    const OctreeNearTask task{
+        blocks.data(), count, test::unit(random), test::unit(random), test::unit(random), limit, slack, loss};
+    const std::uint64_t near = plain_octree_kernels.near(task);
+    for (const KernelSet& set : kernel_sets()) {
+      CAPTURE(std::string(set.name), round, count);
+      REQUIRE(set.octree->near(task) == near);
+    }
+    const auto squared = [&task](const OctreePoint& p) {
+      const float x = p.x - task.x, y = p.y - task.y, z = p.z - task.z;
+      return x * x + y * y + z * z;
+    };
+    float least = squared(points[0]);
+    for (const OctreePoint& p : points) least = std::min(least, squared(p));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double here = static_cast<double>(squared(points[i]));
+      const bool asked = here <= static_cast<double>(limit) && least <= limit;
+      CAPTURE(round, i, here, least);
+      if (asked && here <= static_cast<double>(least) * slack) REQUIRE((near >> i & 1U) == 1);
+      if (!asked || here > static_cast<double>(least) * (slack + 1e-6) + 2 * loss)
+        REQUIRE((near >> i & 1U) == 0);
+    }
+  }
+}
+
 TEST_CASE("every set of kernels finds the cells that the plain one finds") {
   for (const KernelSet& set : kernel_sets()) {
     for (std::size_t count = 0; count <= 200; ++count) {
@@ -138,5 +179,12 @@ TEST_CASE("an octree is the same with every set of kernels") {
     REQUIRE(tree.octree.size() == plain.octree.size());
     for (std::uint32_t i = 0; i < plain.octree.size(); ++i)
       REQUIRE(tree.octree.point(i) == plain.octree.point(i));
+    for (int i = 0; i < 300; ++i) {
+      const Vector3 at{8 * static_cast<double>(test::unit(random)), static_cast<double>(test::unit(random)),
+                       static_cast<double>(test::unit(random))};
+      OctreeNeighbour nearest, wanted;
+      REQUIRE(tree.octree.nearest(at, nearest).found == plain.octree.nearest(at, wanted).found);
+      REQUIRE(nearest == wanted);
+    }
   }
 }
