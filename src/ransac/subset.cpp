@@ -21,21 +21,24 @@ Floats3 floats_of(const Vector3& v) noexcept {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-void put(const Subset& subset, std::uint32_t i, std::uint32_t number, const Floats3& at, float w,
-         const Floats3& place) noexcept {
-  const detail::RansacPlanesMemory& m = subset.memory;
+void put(const detail::RansacPlanesMemory& m, std::uint32_t i, std::uint32_t number,
+         const Floats3& at) noexcept {
   m.first[i] = at.x;
   m.second[i] = at.y;
   m.third[i] = at.z;
-  m.x[i] = at.x * w;
-  m.y[i] = at.y * w;
-  m.z[i] = at.z * w;
-  m.w[i] = w;
   m.reading[i] = number;
-  if (m.place_x.empty()) return;
-  m.place_x[i] = place.x;
-  m.place_y[i] = place.y;
-  m.place_z[i] = place.z;
+}
+
+/// Multiplies by what each reading counts.
+void weigh(const Subset& subset) noexcept {
+  const detail::RansacPlanesMemory& m = subset.memory;
+  const float* __restrict w = m.w.data();
+  const auto times_w = [w, &subset](const float* __restrict from, float* __restrict to) {
+    for (std::uint32_t i = 0; i < subset.count; ++i) to[i] = from[i] * w[i];
+  };
+  times_w(m.first.data(), m.x.data());
+  times_w(m.second.data(), m.y.data());
+  times_w(m.third.data(), m.z.data());
 }
 
 /// The least side of squares of which the frame has no more than `most`.
@@ -75,9 +78,22 @@ struct Squares {
       return false;
     const auto number = static_cast<std::uint32_t>(v) * static_cast<std::uint32_t>(frame.width) +
                         static_cast<std::uint32_t>(u);
-    const auto x = static_cast<float>(u), y = static_cast<float>(v);
-    put(subset, subset.count++, number, {x, y, q}, 1 / wide, {x, y, 0});
+    put(subset.memory, subset.count++, number, {static_cast<float>(u), static_cast<float>(v), q});
     return true;
+  }
+  /// When all have been taken.
+  void finish() const noexcept {
+    const detail::RansacPlanesMemory& m = subset.memory;
+    const float* __restrict q = m.third.data();
+    float* __restrict w = m.w.data();
+    for (std::uint32_t i = 0; i < subset.count; ++i) w[i] = 1 / wide_of(q[i], constant, metres);
+    weigh(subset);
+    if (m.place_x.empty()) return;
+    for (std::uint32_t i = 0; i < subset.count; ++i) {
+      m.place_x[i] = m.first[i];
+      m.place_y[i] = m.second[i];
+      m.place_z[i] = 0;
+    }
   }
 
   struct Drawn {
@@ -139,9 +155,11 @@ template <class Q>
 void draw_from_frame(Subset& subset, const Labels& labels, std::uint32_t most, Pcg32& random) noexcept {
   Squares<Q> squares(subset, labels, most);
   squares.draw_all(tries, random);
-  if (subset.count >= most / 4) return;
-  subset.count = 0;
-  squares.draw_all(squares.side * squares.side, random);
+  if (subset.count < most / 4) {
+    subset.count = 0;
+    squares.draw_all(squares.side * squares.side, random);
+  }
+  squares.finish();
 }
 
 /// The runs of readings one after another, whatever lies between these: what is no reading has no influence.
@@ -177,8 +195,15 @@ void prefetch(const PointsView& points, std::uint32_t number) noexcept {
 
 void put_point(Subset& subset, const Runs& runs, std::uint32_t run, std::uint32_t number,
                const Reading& r) noexcept {
-  put(subset, runs.place_of(run), number, floats_of({r.x, r.y, r.z}), static_cast<float>(r.w),
-      floats_of(r.place));
+  const detail::RansacPlanesMemory& m = subset.memory;
+  const std::uint32_t i = runs.place_of(run);
+  put(m, i, number, floats_of({r.x, r.y, r.z}));
+  m.w[i] = static_cast<float>(r.w);
+  if (m.place_x.empty()) return;
+  const Floats3 place = floats_of(r.place);
+  m.place_x[i] = place.x;
+  m.place_y[i] = place.y;
+  m.place_z[i] = place.z;
 }
 
 /// Of a cloud in which every point is a reading and none has a label yet. False: one that was drawn is none.
@@ -216,9 +241,14 @@ bool draw_from_cloud(Subset& subset, const Labels& labels, std::uint32_t left, s
                      Pcg32& random) noexcept {
   const Runs runs{left, left < most ? left : most};
   subset.count = runs.parts;
-  if (left == subset.readings.count()) return draw_from_all(subset, runs, random);
-  draw_from_left(subset, labels, runs, random);
-  return true;
+  bool drawn = true;
+  if (left == subset.readings.count()) {
+    drawn = draw_from_all(subset, runs, random);
+  } else {
+    draw_from_left(subset, labels, runs, random);
+  }
+  if (drawn) weigh(subset);
+  return drawn;
 }
 
 }  // namespace
