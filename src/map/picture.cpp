@@ -32,37 +32,26 @@ constexpr int wide_enough = 250;  // levels between black and ground; such a pic
 constexpr int lone_contrast = 80;
 constexpr double speckled_evenness = 0.4;
 
-/// Whether these pixels, eight times as many as there are words, have the gray of the first.
-template <std::size_t Words>
-bool are_even(const std::uint8_t* pixels) {
-  std::array<std::uint64_t, Words> words;
-  std::memcpy(words.data(), pixels, sizeof words);
-  const std::uint64_t first = 0x0101010101010101U * pixels[0];
-  std::uint64_t other = 0;
-  for (const std::uint64_t word : words) other |= word ^ first;
-  return other == 0;
-}
-
 /// Counts grays. Most of a drawn picture is even: pixels of one gray are counted together. Tables in turns:
 /// equal neighbours need not wait for one another.
 class GrayCounts {
  public:
+  explicit GrayCounts(const PictureRowKernels& kernels) : kernels_(kernels) {}
+
   void add(const std::uint8_t* row, std::int32_t count) {
+    constexpr std::int32_t step = 64;
     std::int32_t x = 0;
-    while (x + 32 <= count) {
-      if (are_even<4>(row + x)) {
-        tables_[0][row[x]] += 32;
-        x += 32;
-        continue;
-      }
-      if (are_even<1>(row + x)) {
-        tables_[1][row[x]] += 8;
-      } else {
-        for (std::int32_t k = 0; k < 8; ++k) ++tables_[static_cast<std::size_t>(k % 4)][row[x + k]];
-      }
-      x += 8;
+    while (x + step <= count) {
+      const std::int32_t even = kernels_.count_even(row + x, count - x);
+      tables_[0][row[x]] += static_cast<std::uint32_t>(even);
+      x += even;
+      if (x + step > count) break;
+      add_eights(row + x, step);
+      x += step;
     }
-    for (; x < count; ++x) ++tables_[0][row[x]];
+    const std::int32_t eights = (count - x) / 8 * 8;
+    add_eights(row + x, eights);
+    for (x += eights; x < count; ++x) ++tables_[0][row[x]];
   }
 
   Histogram histogram(std::int64_t times) const {
@@ -73,6 +62,19 @@ class GrayCounts {
   }
 
  private:
+  void add_eights(const std::uint8_t* pixels, std::int32_t count) {
+    for (std::int32_t i = 0; i < count; i += 8, pixels += 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, pixels, sizeof word);
+      if (word == 0x0101010101010101U * pixels[0]) {
+        tables_[static_cast<std::size_t>(i / 8 % 4)][pixels[0]] += 8;
+      } else {
+        for (std::size_t k = 0; k < 8; ++k) ++tables_[k % 4][pixels[k]];
+      }
+    }
+  }
+
+  const PictureRowKernels& kernels_;
   std::array<std::array<std::uint32_t, 256>, 4> tables_{};
 };
 
@@ -82,8 +84,8 @@ std::int32_t rows_apart(GrayView gray) {
   return (gray.height < large ? 1 : 2) * block;
 }
 
-Histogram histogram_of(GrayView gray) {
-  GrayCounts counts;
+Histogram histogram_of(GrayView gray, const PictureRowKernels& kernels) {
+  GrayCounts counts(kernels);
   for (std::int32_t top = 0; top < gray.height; top += rows_apart(gray)) {
     const std::int32_t bottom = std::min(top + block, gray.height);
     for (std::int32_t y = top; y < bottom; ++y) counts.add(gray.row(y), gray.width);
@@ -94,7 +96,7 @@ Histogram histogram_of(GrayView gray) {
 /// Histogram of the medians of 4x4 blocks, scaled to the number of pixels: grain and specks vanish, edges do
 /// not make levels of their own, even areas stay.
 Histogram block_histogram(GrayView gray, const PictureRowKernels& kernels) {
-  GrayCounts counts;
+  GrayCounts counts(kernels);
   const Size side{std::min(block, gray.width), std::min(block, gray.height)};
   std::vector<std::uint8_t> medians(static_cast<std::size_t>(gray.width / side.width));
   for (std::int32_t y = 0; y + side.height <= gray.height; y += rows_apart(gray)) {
@@ -239,7 +241,7 @@ void understand_picture(GrayView gray, PictureKind asked, const std::optional<Ro
     copy_gray(gray, true, picture.own_gray);
     picture.gray = picture.stretched = picture.own_gray;
   }
-  const Histogram histogram = histogram_of(picture.gray);
+  const Histogram histogram = histogram_of(picture.gray, kernels);
   const std::int64_t pixels = mass_between(histogram, 0, 255);
   int first_ground = darkest_ground;
   if (meaning) {

@@ -31,6 +31,18 @@ void stretch(const std::uint8_t* __restrict row, std::int32_t width, GrayStretch
   }
 }
 
+std::int32_t count_even(const std::uint8_t* row, std::int32_t width) noexcept {
+  std::int32_t even = 0;
+  const std::uint8_t first = width > 0 ? row[0] : std::uint8_t{0};
+  for (; even + lanes <= width; even += lanes) {
+    std::uint8_t other = 0;
+    for (std::int32_t i = 0; i < lanes; ++i)
+      other = static_cast<std::uint8_t>(other | (row[even + i] ^ first));
+    if (other != 0) break;
+  }
+  return even;
+}
+
 /// In bytes, no more pixels at once than can be counted in them.
 void count_grain(const std::uint8_t* row, std::int32_t width, GrainCount& count) noexcept {
   constexpr std::int32_t most = 3 * lanes;
@@ -55,14 +67,24 @@ inline std::uint8_t above_or_none(std::uint8_t a, std::uint8_t b) noexcept {
   return static_cast<std::uint8_t>(a > b ? a - b : 0);
 }
 
-/// Whether some pixel is darker than both its neighbours in the row: in pictures without specks that is rare.
-bool may_have_lone(const std::uint8_t* here, std::int32_t width, std::uint8_t least) noexcept {
+/// Whether one of `count` pixels is darker than both its neighbours in the row.
+inline bool any_low(const std::uint8_t* here, std::int32_t count, std::uint8_t least) noexcept {
   std::uint8_t any = 0;
-  for (std::int32_t x = 1; x + 1 < width; ++x) {
+  for (std::int32_t x = 0; x < count; ++x) {
     const std::uint8_t lighter = above_or_none(darker(here[x - 1], here[x + 1]), here[x]);
     any = static_cast<std::uint8_t>(any | (lighter > least ? 1 : 0));
   }
   return any != 0;
+}
+
+/// In pictures without specks that is rare. The last pixels are looked at together with some before them:
+/// compilers make single steps of what is left over.
+bool may_have_lone(const std::uint8_t* here, std::int32_t width, std::uint8_t least) noexcept {
+  const std::int32_t end = width - 1;
+  if (end - 1 < lanes) return any_low(here + 1, end - 1, least);
+  for (std::int32_t x = 1; x + lanes <= end; x += lanes)
+    if (any_low(here + x, lanes, least)) return true;
+  return any_low(here + end - lanes, lanes, least);
 }
 
 bool find_lone(const std::uint8_t* __restrict above, const std::uint8_t* __restrict here,
@@ -159,6 +181,7 @@ void block_medians(const std::uint8_t* const* rows, std::int32_t count, std::uin
 
 constinit const PictureRowKernels STRAIGHTEDGE_OF_SET(_picture_row_kernels){
     .stretch = &STRAIGHTEDGE_KERNEL_SET::stretch,
+    .count_even = &STRAIGHTEDGE_KERNEL_SET::count_even,
     .count_grain = &STRAIGHTEDGE_KERNEL_SET::count_grain,
     .find_lone = &STRAIGHTEDGE_KERNEL_SET::find_lone,
     .block_medians = &STRAIGHTEDGE_KERNEL_SET::block_medians,

@@ -70,6 +70,9 @@ struct StripRule {
 struct PictureRowKernels {
   void (*stretch)(const std::uint8_t* row, std::int32_t width, GrayStretch rule, std::uint8_t* out) noexcept;
 
+  /// How many pixels, from the first on and in whole steps of 64, have the gray of the first.
+  std::int32_t (*count_even)(const std::uint8_t* row, std::int32_t width) noexcept;
+
   void (*count_grain)(const std::uint8_t* row, std::int32_t width, GrainCount& count) noexcept;
 
   /// For pixels 1 to width - 2: 1 where all eight neighbours are lighter by more than the contrast. False:

@@ -58,6 +58,9 @@ TEST_CASE("the kernels that understand pictures give the same numbers in every s
       Row out(rows[0].size());
       kernels.stretch(rows[0].data(), width, rule, out.data());
       CHECK(out == stretched);
+      const auto other =
+          std::find_if(rows[0].begin(), rows[0].end(), [&](auto v) { return v != rows[0][0]; });
+      CHECK(kernels.count_even(rows[0].data(), width) == (other - rows[0].begin()) / 64 * 64);
       GrainCount count;
       kernels.count_grain(rows[0].data(), width, count);
       CHECK(count.pairs == grain.pairs);
@@ -74,6 +77,19 @@ TEST_CASE("the kernels that understand pictures give the same numbers in every s
           for (std::size_t c = 0; c < 4; ++c) block.push_back(row[4 * i + c]);
         std::sort(block.begin(), block.end());
         REQUIRE(medians[i] == block[8]);
+      }
+    }
+  }
+}
+
+TEST_CASE("every set of kernels counts the pixels that have the gray of the first, by 64") {
+  for (const KernelSet& set : kernel_sets()) {
+    for (std::int32_t width = 0; width <= 400; ++width) {
+      for (std::int32_t other = 0; other <= width; other += 1 + other / 9) {
+        Row row(static_cast<std::size_t>(width), 200);
+        if (other < width) row[static_cast<std::size_t>(other)] = 201;
+        CAPTURE(set.name, width, other);
+        REQUIRE(set.picture_rows->count_even(row.data(), width) == other / 64 * 64);
       }
     }
   }
