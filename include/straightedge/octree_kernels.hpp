@@ -8,9 +8,9 @@
 #include "straightedge/morton.hpp"
 
 /// The inner loops of Octree::build and Octree::nearest (octree.hpp) over points that follow one another, as
-/// a table. The plain table is always there; others hold the same text compiled for more instructions, which
-/// gives the same bits. Which of them this machine can run, the application must know (host/kernels.hpp asks
-/// the processor): a table's functions stop a program that has not the instructions.
+/// a table. The plain table is always there; others give the same bits with more instructions. Which of them
+/// this machine can run, the application must know (host/kernels.hpp asks the processor): a table's functions
+/// stop a program that has not the instructions.
 namespace straightedge {
 
 /// One axis of an octree's cells: cell = floor((x - origin) * scale + offset), from 0 to below `end`.

@@ -39,7 +39,7 @@ class BlockWriter {
   }
 
  private:
-  // Four words that are treated alike, as in near_points.hpp.
+  // Four words that are treated alike, as in near_kernel.cpp.
   using Words4 = std::uint32_t __attribute__((vector_size(16)));
 
   static constexpr std::uint32_t all = UINT32_MAX;

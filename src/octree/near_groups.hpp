@@ -104,7 +104,7 @@ template <class Look>
   constexpr auto in_block = Groups::in_block;
   const std::uint32_t first = groups.first[group], end = groups.first[group + 1];
   const std::uint32_t start = first - first % in_block;  // the first lane's leaf
-  __builtin_prefetch(&groups.place[first]);
+  __builtin_prefetch(&groups.place[first]);              // asked for when all boxes have been looked at
   const unsigned char* block = &groups.boxes[first / in_block * Groups::block_bytes];
   const Shorts8 begin = all(static_cast<std::int16_t>(first - start));
   const Shorts8 past = all(static_cast<std::int16_t>(end - start));

@@ -100,7 +100,8 @@ Runs read_runs(const PointsView& view, const OctreeGrid& grid, const OctreeKerne
   RunReader reader(most, pairs);
   OctreeCellBatch cells;
   OctreeRunStarts starts;
-  for (std::size_t i = 0; i < view.count && !grid.cell_of(view.at(i), starts.first);) ++i;
+  std::size_t inside = 0;
+  while (inside < view.count && !grid.cell_of(view.at(inside), starts.first)) ++inside;
   for (std::size_t begin = 0; begin < view.count; begin += OctreeCellBatch::size) {
     const std::size_t left = view.count - begin;
     const std::size_t count = left < OctreeCellBatch::size ? left : OctreeCellBatch::size;
