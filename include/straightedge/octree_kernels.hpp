@@ -51,7 +51,7 @@ struct OctreeNearTask {
   std::uint32_t count = 0;                ///< of blocks, from 1 to `most_blocks`
   float x = 0, y = 0, z = 0;              ///< the position
   float limit = 0;                        ///< what is farther, squared, is not asked for
-  double slack = 0, loss = 0;  ///< a point may be nearer than one at `square` up to square slack + loss
+  double slack = 0, loss = 0;  ///< up to least · slack + loss a point may be nearer than the least
 };
 
 struct OctreeKernels {

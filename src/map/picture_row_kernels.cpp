@@ -67,7 +67,7 @@ inline std::uint8_t above_or_none(std::uint8_t a, std::uint8_t b) noexcept {
   return static_cast<std::uint8_t>(a > b ? a - b : 0);
 }
 
-/// Whether one of `count` pixels is darker than both its neighbours in the row.
+/// Whether one of `count` pixels is darker than both its neighbours in the row, by more than `least`.
 inline bool any_low(const std::uint8_t* here, std::int32_t count, std::uint8_t least) noexcept {
   std::uint8_t any = 0;
   for (std::int32_t x = 0; x < count; ++x) {
@@ -77,11 +77,11 @@ inline bool any_low(const std::uint8_t* here, std::int32_t count, std::uint8_t l
   return any != 0;
 }
 
-/// In pictures without specks that is rare. The last pixels are looked at together with some before them:
-/// compilers make single steps of what is left over.
+/// Whether a row has such a pixel: without specks that is rare. The last ones are looked at together with
+/// some before them: compilers make single steps of what is left over.
 bool may_have_lone(const std::uint8_t* here, std::int32_t width, std::uint8_t least) noexcept {
-  const std::int32_t end = width - 1;
-  if (end - 1 < lanes) return any_low(here + 1, end - 1, least);
+  const std::int32_t end = width - 1, inner = width - 2;
+  if (inner < lanes) return any_low(here + 1, inner, least);
   for (std::int32_t x = 1; x + lanes <= end; x += lanes)
     if (any_low(here + x, lanes, least)) return true;
   return any_low(here + end - lanes, lanes, least);

@@ -12,8 +12,7 @@ namespace straightedge::octree {
 
 inline constexpr bool little_endian = std::endian::native == std::endian::little;
 
-/// The lanes of a vector of 16 bytes for which a comparison holds, one after another.
-template <std::uint32_t bits>
+/// The lanes for which a comparison of eight numbers of 16 bits holds, one after another.
 class Lanes {
  public:
   template <class Mask>
@@ -34,6 +33,8 @@ class Lanes {
   }
 
  private:
+  static constexpr std::uint32_t bits = 16;
+
   std::uint64_t halves_[2];
 };
 

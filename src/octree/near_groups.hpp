@@ -104,7 +104,8 @@ template <class Look>
   constexpr auto in_block = Groups::in_block;
   const std::uint32_t first = groups.first[group], end = groups.first[group + 1];
   const std::uint32_t start = first - first % in_block;  // the first lane's leaf
-  __builtin_prefetch(&groups.place[first]);              // asked for when all boxes have been looked at
+  // Asked for when all boxes have been looked at.
+  __builtin_prefetch(&groups.place[first]);
   const unsigned char* block = &groups.boxes[first / in_block * Groups::block_bytes];
   const Shorts8 begin = all(static_cast<std::int16_t>(first - start));
   const Shorts8 past = all(static_cast<std::int16_t>(end - start));
@@ -127,11 +128,11 @@ template <class Look>
     farthest = BoxSquares::limit_of(limit * square_units_a_m);
   };
   std::uint32_t seen = 0;
-  while (!Lanes<16>(squares[seen / in_block] == static_cast<std::int16_t>(least)).any()) seen += in_block;
-  seen += Lanes<16>(squares[seen / in_block] == static_cast<std::int16_t>(least)).take();
+  while (!Lanes(squares[seen / in_block] == static_cast<std::int16_t>(least)).any()) seen += in_block;
+  seen += Lanes(squares[seen / in_block] == static_cast<std::int16_t>(least)).take();
   look_at(seen);
   for (std::uint32_t i = 0; i < lanes; i += in_block) {
-    for (Lanes<16> near(squares[i / in_block] <= static_cast<std::int16_t>(farthest)); near.any();) {
+    for (Lanes near(squares[i / in_block] <= static_cast<std::int16_t>(farthest)); near.any();) {
       const std::uint32_t lane = near.take();
       if (i + lane != seen && squares[i / in_block][lane] <= farthest) look_at(i + lane);
     }

@@ -38,9 +38,8 @@ class FarFilter {
     limit_ = limit < 0x1p127 ? static_cast<float>(limit) : infinity;
   }
 
-  bool all_far(const std::uint32_t* block) const noexcept { return all_far(squared(block)); }
-  bool all_far(const Floats4& squares) const noexcept {
-    const auto far = squares > limit_;
+  bool all_far(const std::uint32_t* block) const noexcept {
+    const auto far = squared(block) > limit_;
     std::uint64_t halves[2];
     static_assert(sizeof(halves) == sizeof(far));
     std::memcpy(halves, &far, sizeof(halves));
@@ -51,6 +50,7 @@ class FarFilter {
     return {blocks, count, x_, y_, z_, limit_, slack, loss_};
   }
 
+ private:
   Floats4 squared(const std::uint32_t* block) const noexcept {
     Floats4 x, y, z;
     std::memcpy(&x, block, sizeof(x));
@@ -61,8 +61,6 @@ class FarFilter {
     z -= z_;
     return x * x + y * y + z * z;
   }
-
- private:
   /// At least (s + loss)² for a squared distance s², without a root: 2 s loss is at most s² / 2^11 + 2^11
   /// loss².
   double raised(double squared) const noexcept { return squared * slack + loss_; }

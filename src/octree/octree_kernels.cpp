@@ -3,7 +3,7 @@
 #include "straightedge/octree_kernels.hpp"
 
 #include "octree/near_kernel.hpp"
-#include "octree/run_parts.hpp"
+#include "octree/run_starts.hpp"
 
 namespace straightedge {
 namespace STRAIGHTEDGE_KERNEL_SET {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
-#include "octree/run_parts.hpp"
+#include "octree/run_starts.hpp"
 
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 

@@ -8,15 +8,15 @@ namespace straightedge::octree {
 namespace {
 
 constexpr std::uint32_t low_levels = (std::uint32_t{1} << SortedRuns::code_bits / 3) - 1;
-constexpr std::uint32_t part_mask = (std::uint32_t{1} << SortedRuns::code_bits) - 1;
+constexpr std::uint32_t part_mask = SortedRuns::part_mask;
 
 /// What step 1 found.
 struct Runs {
   bool fit = true;
   std::uint32_t points = 0;
-  std::uint32_t count = 0;    ///< of runs
-  std::uint64_t varying = 0;  ///< bits in which codes may differ
-  std::uint64_t one = 0;      ///< of the codes
+  std::uint32_t count = 0;      ///< of runs
+  std::uint64_t varying = 0;    ///< bits in which codes may differ
+  std::uint64_t some_code = 0;  ///< any of them
 };
 
 /// Step 1: writes a pair for each run that has ended.
@@ -40,7 +40,7 @@ class RunReader {
     end(count);
     if (runs_.count == 0) return runs_;
     const std::uint32_t above = starts.cell_differs & ~low_levels;
-    runs_.one = morton_encode(starts.first);
+    runs_.some_code = morton_encode(starts.first);
     runs_.varying = starts.part_differs | morton_encode({above, above, above});
     return runs_;
   }
@@ -152,7 +152,8 @@ SortedRuns sort_runs(const PointsView& view, const OctreeGrid& grid, const Octre
   if (!pairs.same_memory(back))
     for (std::size_t i = 0; i < back.size(); ++i) back.set(i, front[i]);
   const bool one_part = runs.varying >> SortedRuns::code_bits == 0;
-  return {true, runs.points, one_part, runs.one >> SortedRuns::code_bits << SortedRuns::code_bits, back};
+  return {true, runs.points, one_part, runs.some_code >> SortedRuns::code_bits << SortedRuns::code_bits,
+          back};
 }
 
 }  // namespace straightedge::octree

@@ -20,6 +20,7 @@ namespace straightedge::octree {
 /// The key of a pair is nine levels of the code, which is what it is sorted by, and above them the length.
 struct SortedRuns {
   static constexpr unsigned code_bits = 27;
+  static constexpr std::uint32_t part_mask = (std::uint32_t{1} << code_bits) - 1;
   static constexpr std::uint32_t most_points = std::uint32_t{1} << (32 - code_bits);
 
   bool fit = false;          ///< false: there are more points in the cube than may be
@@ -30,8 +31,7 @@ struct SortedRuns {
 
   static std::uint32_t length(std::uint32_t key) noexcept { return (key >> code_bits) + 1; }
   std::uint64_t code(const Pairs::Pair& run, const PointsView& view, const OctreeGrid& grid) const noexcept {
-    constexpr std::uint32_t part = (std::uint32_t{1} << code_bits) - 1;
-    return one_part ? above | (run.key & part) : code_at(view, grid, run.index);
+    return one_part ? above | (run.key & part_mask) : code_at(view, grid, run.index);
   }
   /// Of point i, which must be in the cube.
   static std::uint64_t code_at(const PointsView& view, const OctreeGrid& grid, std::size_t i) noexcept;

@@ -3,7 +3,7 @@
 // Same results as ../run_starts.cpp; read that first.
 #include <immintrin.h>
 
-#include "octree/run_parts.hpp"
+#include "octree/run_starts.hpp"
 
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 namespace {
