@@ -18,7 +18,8 @@ struct FramePlanesOptions {
   /// A plane with fewer pixels leaves; 0: one thousandth of the picture, at least 64.
   std::uint32_t min_pixels = 0;
   std::uint32_t max_planes = 64;  ///< at most 256
-  std::uint32_t rounds = 2;       ///< searches at most, each on what is left over; 1 to 8
+  /// Searches at most, each on what is left over, up to 8; 0: as many as the search asks for.
+  std::uint32_t rounds = 0;
   /// Neighbours of a reading share its noise; so many pixels count as one independent reading. 1 to 1000.
   double noise_pixels = 28;
   /// Real frames stray further from planes than the noise model says; residuals may be so many times larger
@@ -61,7 +62,7 @@ constexpr PlaneGate widened(const FramePlanesOptions& options) noexcept {
 namespace detail {
 
 constexpr bool valid(const FramePlanesOptions& o) noexcept {
-  return o.gate.valid() && o.max_planes >= 1 && o.max_planes <= 256 && o.rounds >= 1 && o.rounds <= 8 &&
+  return o.gate.valid() && o.max_planes >= 1 && o.max_planes <= 256 && o.rounds <= 8 &&
          o.noise_pixels >= 1 && o.noise_pixels <= 1000 && o.slack >= 1 && o.slack <= 10 &&
          (o.cell == 4 || o.cell == 8 || o.cell == 16) && has_table(o.kernels);
 }

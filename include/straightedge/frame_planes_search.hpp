@@ -36,6 +36,9 @@ struct PlaneSearch {
   Status (*run)(void* user, ImageView<const float> inverse_depth, const DepthCells& cells,
                 ImageView<const std::uint16_t> labels, const PinholeCamera& camera,
                 std::span<ProposedPlane> out, std::uint32_t& count) noexcept = nullptr;
+  /// How often to search, each time what is left over, unless FramePlanesOptions say so. One that finds all
+  /// there is at once asks for 1.
+  std::uint32_t rounds = 2;
 };
 
 }  // namespace straightedge

@@ -197,8 +197,9 @@ Status FramePlanes::run(const DepthView& depth, const PlaneSearch& search, Image
   }
   found.readings = static_cast<std::uint32_t>(readings);
   // Steps 2 to 6.
+  const std::uint32_t rounds = options_.rounds > 0 ? options_.rounds : search.rounds;
   Status status = search_round(depth, search, {}, found);
-  for (std::uint32_t round = 1; status == Status::ok && round < options_.rounds; ++round) {
+  for (std::uint32_t round = 1; status == Status::ok && round < rounds; ++round) {
     // The labels' memory is free until the last step.
     const std::uint32_t middles =
         detail::free_cells(cells_, small_cell_labels(), detail::marks_in(labels, cells_));

@@ -16,28 +16,44 @@ inline double bounded(double x, double bound) noexcept {
   return below > -bound ? below : -bound;
 }
 
+/// Where readings stand: quanta i, j, k, and BundleSums::one.
+using BundlePlace = std::int32_t __attribute__((vector_size(16)));
+
+inline BundlePlace place_of(const std::int32_t (&at)[4]) noexcept {
+  BundlePlace place;
+  __builtin_memcpy(&place, at, sizeof place);
+  return place;
+}
+
+inline bool in_one_leaf(const BundlePlace& a, const BundlePlace& b) noexcept {
+  using Halves = std::uint64_t __attribute__((vector_size(16)));
+  const auto differ = reinterpret_cast<Halves>((a ^ b) >> plane_row::leaf_bits);
+  return (differ[0] | differ[1]) == 0;
+}
+
 /// Sums over bundles in one leaf, eight of them in one vector.
 struct BundleSums {
   using Eight = std::int32_t __attribute__((vector_size(32)));
+  static constexpr std::int32_t middle = plane_row::leaf_side / 2;
+  static constexpr std::int32_t one = middle + 1;  ///< 1 from the middle
 
   Eight sum = {};
-  std::int64_t z = 0, residual = 0;
-  std::int32_t readings = 0;
+  BundlePlace places = {};  ///< of z, and how many
+  std::int64_t residual = 0;
 
-  /// Adds readings that stand together at quanta i, j, k.
-  void add(std::int32_t i, std::int32_t j, std::int32_t k, std::int32_t more, std::int64_t squares) noexcept {
-    using Place = std::int32_t __attribute__((vector_size(16)));
+  std::int32_t readings() const noexcept { return places[3]; }
+
+  /// Adds readings that stand together.
+  void add(const BundlePlace& at, std::int32_t more, std::int64_t squares) noexcept {
     using R = detail::PlaneRun;
     static_assert(R::xx == 0 && R::xy == 1 && R::zz == 2 && R::x == 3 && R::yy == 4 && R::yz == 5 &&
                   R::xz == 6 && R::y == 7);
-    constexpr std::int32_t middle = plane_row::leaf_side / 2;
     // x, y, z from the leaf's centre, and 1.
-    const Place place = (Place{i, j, k, middle + 1} & (plane_row::leaf_side - 1)) - middle;
+    const BundlePlace place = (at & (plane_row::leaf_side - 1)) - middle;
     sum += more * __builtin_shufflevector(place, place, 0, 0, 2, 0, 1, 1, 0, 1) *
            __builtin_shufflevector(place, place, 0, 1, 2, 3, 1, 2, 2, 3);
-    z += more * place[2];
+    places += more * place;
     residual += squares;
-    readings += more;
   }
 
   void add_to(detail::PlaneRun& run) const noexcept {
@@ -45,9 +61,9 @@ struct BundleSums {
     __builtin_memcpy(&all, run.sum, sizeof all);
     all += sum;
     __builtin_memcpy(run.sum, &all, sizeof all);
-    run.z += z;
+    run.z += places[2];
     run.residual += residual;
-    run.readings += readings;
+    run.readings += readings();
   }
 };
 

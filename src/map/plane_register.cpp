@@ -100,6 +100,14 @@ PlaneRowCounts register_depth(const DepthView& depth, ImageView<const std::uint1
   for (row.v = 0; row.v < labels.height; row.v += PlaneRow::side) {
     for (row.u = 0; row.u < labels.width; row.u += PlaneRow::most_columns) {
       show(depth, labels, copy, row);
+      for (std::int32_t y = row.v + 4; y < std::min(row.v + 8, labels.height); ++y) {
+        const char* a = reinterpret_cast<const char*>(depth.raw.row(y) + row.u);
+        const char* b = reinterpret_cast<const char*>(labels.row(y) + row.u);
+        for (std::int32_t i = 0; i < 2 * row.columns; i += 64) {
+          __builtin_prefetch(a + i);
+          __builtin_prefetch(b + i);
+        }
+      }
       kernels.add(row, columns, runs.with_room_for(PlaneRow::most_runs), counts);
     }
   }
@@ -139,7 +147,7 @@ PlaneRowCounts register_points(const PointsView& points, std::span<const std::ui
     detail::PlaneRun& run = plain::run_for(runs.with_room_for(1), plain::run_leaf(i, j, k), label, 1);
     const double residual = plain::bounded(beyond * plane_grid::quanta_per_m, plane_row::most_residual);
     plain::BundleSums bundle;
-    bundle.add(i, j, k, 1, static_cast<std::int64_t>(residual * residual));
+    bundle.add(plain::BundlePlace{i, j, k, plain::BundleSums::one}, 1, static_cast<std::int64_t>(residual * residual));
     bundle.add_to(run);
   }
   return counts;

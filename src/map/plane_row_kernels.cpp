@@ -15,6 +15,7 @@ constexpr std::int32_t squares_at_once = 8;
 /// The lowest and the highest label of each square, 0 where it has none.
 struct SquareLabels {
   std::uint16_t lowest[PlaneRow::most_squares], highest[PlaneRow::most_squares];
+  std::uint8_t goes_on[PlaneRow::most_squares];  ///< 1: it and the one before have the same one label, or none
 };
 
 struct ColumnLabels {
@@ -22,8 +23,10 @@ struct ColumnLabels {
   std::uint16_t most[PlaneRow::most_columns];
 };
 
-inline std::int32_t find_in_columns(const PlaneRow& row, ColumnLabels& labels) noexcept {
-  std::int32_t labelled = 0;
+/// How many readings with a label there are: at most 4 in each of 640 columns.
+inline std::uint16_t find_in_columns(const PlaneRow& row, ColumnLabels& labels) noexcept {
+  constexpr std::uint16_t one = 1;
+  std::uint16_t labelled = 0;
   for (std::int32_t x = 0; x < row.columns; ++x) {
     std::uint16_t low = 0xFFFF, high = 0, readings = 0;
     for (std::int32_t y = 0; y < side; ++y) {
@@ -31,18 +34,19 @@ inline std::int32_t find_in_columns(const PlaneRow& row, ColumnLabels& labels) n
       const auto less = static_cast<std::uint16_t>(label - 1);
       low = less < low ? less : low;
       high = label > high ? label : high;
-      readings = static_cast<std::uint16_t>(readings + ((label != 0 ? 1 : 0) & (raw != 0 ? 1 : 0)));
+      const std::uint16_t both = label < raw ? label : raw;  // above 0 where both are
+      readings = static_cast<std::uint16_t>(readings + (both < one ? both : one));
     }
     labels.least[x] = low;
     labels.most[x] = high;
-    labelled += readings;
+    labelled = static_cast<std::uint16_t>(labelled + readings);
   }
   return labelled;
 }
 
 inline void find_labels(const PlaneRow& row, SquareLabels& labels, PlaneRowCounts& counts) noexcept {
   ColumnLabels columns;
-  counts.labelled += static_cast<std::uint64_t>(find_in_columns(row, columns));
+  counts.labelled += find_in_columns(row, columns);
   std::uint16_t largest = 0;
   for (std::int32_t s = 0; s < row.columns / side; ++s) {
     const std::uint16_t* const least = columns.least + side * s;
@@ -56,6 +60,13 @@ inline void find_labels(const PlaneRow& row, SquareLabels& labels, PlaneRowCount
     largest = labels.highest[s] > largest ? labels.highest[s] : largest;
   }
   counts.largest_label = largest > counts.largest_label ? largest : counts.largest_label;
+  labels.goes_on[0] = 0;
+  for (std::int32_t s = 1; s < row.columns / side; ++s) {
+    const std::uint32_t here = labels.lowest[s] ^ labels.highest[s],
+                        before = labels.lowest[s - 1] ^ labels.highest[s - 1],
+                        both = labels.lowest[s] ^ labels.lowest[s - 1];
+    labels.goes_on[s] = (here | before | both) == 0 ? 1 : 0;
+  }
 }
 
 /// The next higher label in the square; 0: none.
@@ -75,6 +86,18 @@ inline bool holds(const PlaneRow& row, const SquareLabels& labels, std::int32_t 
   const std::uint32_t low = labels.lowest[square], high = labels.highest[square];
   if (label == low || label == high) return true;
   return label > low && label < high && label_after(row, labels, square, label - 1) == label;
+}
+
+/// The first square from this one on that does not go on what the one before has.
+inline std::int32_t next_change(const SquareLabels& labels, std::int32_t square, std::int32_t squares) noexcept {
+  constexpr std::uint64_t eight_go_on = 0x0101010101010101U;
+  for (; square + 8 <= squares; square += 8) {
+    std::uint64_t eight;
+    __builtin_memcpy(&eight, labels.goes_on + square, sizeof eight);
+    if (eight != eight_go_on) break;
+  }
+  while (square < squares && labels.goes_on[square] != 0) ++square;
+  return square;
 }
 
 /// Neighbouring squares with readings of one plane.
@@ -124,7 +147,7 @@ inline void sum_columns(const PlaneRow& row, const PixelPlane& plane, const Span
 
 /// Bundles of eight squares: a place with its readings.
 struct Bundles {
-  std::int32_t i[squares_at_once], j[squares_at_once], k[squares_at_once];  ///< quanta
+  std::int32_t at[squares_at_once][4];  ///< i, j, k (quanta), and what makes BundleSums count
   std::int32_t readings[squares_at_once];
   float residual[squares_at_once];
 };
@@ -152,35 +175,34 @@ inline void place(const PlaneRow& row, const PixelPlane& plane, const PlaneColum
     const auto along = [&](int axis) {
       return z * (u[lane] * g.along_u[axis] + (v[lane] * g.along_v[axis] + g.corner[axis])) + g.origin[axis];
     };
-    bundles.i[lane] = static_cast<std::int32_t>(bounded(along(0), end));
-    bundles.j[lane] = static_cast<std::int32_t>(bounded(along(1), end));
-    bundles.k[lane] = static_cast<std::int32_t>(bounded(along(2), end));
+    bundles.at[lane][0] = static_cast<std::int32_t>(bounded(along(0), end));
+    bundles.at[lane][1] = static_cast<std::int32_t>(bounded(along(1), end));
+    bundles.at[lane][2] = static_cast<std::int32_t>(bounded(along(2), end));
+    bundles.at[lane][3] = BundleSums::one;
   }
 }
 
-constexpr std::uint64_t off_grid = ~std::uint64_t{0};
-
-inline std::uint64_t leaf_of(std::int32_t i, std::int32_t j, std::int32_t k) noexcept {
-  const bool inside = static_cast<std::uint32_t>(i | j | k) < static_cast<std::uint32_t>(plane_row::grid_end);
-  return inside ? run_leaf(i, j, k) : off_grid;
+inline bool on_grid(const std::int32_t (&at)[4]) noexcept {
+  return static_cast<std::uint32_t>(at[0] | at[1] | at[2]) < static_cast<std::uint32_t>(plane_row::grid_end);
 }
 
 /// Step 3, for the first `count` of the bundles: neighbours in one leaf together.
 inline void add_bundles(const Bundles& b, std::int32_t count, std::uint32_t label,
                         detail::PlaneRunTable& runs, PlaneRowCounts& counts) noexcept {
   for (std::int32_t n = 0; n < count;) {
-    const std::uint64_t leaf = leaf_of(b.i[n], b.j[n], b.k[n]);
+    const std::int32_t(&at)[4] = b.at[n];
     BundleSums sums;
     do {
-      sums.add(b.i[n], b.j[n], b.k[n], b.readings[n], static_cast<std::int64_t>(b.residual[n]));
+      sums.add(place_of(b.at[n]), b.readings[n], static_cast<std::int64_t>(b.residual[n]));
       ++n;
-    } while (n < count && leaf_of(b.i[n], b.j[n], b.k[n]) == leaf);
-    if (sums.readings == 0) continue;
-    counts.near_plane += static_cast<std::uint64_t>(sums.readings);
-    if (leaf == off_grid) {
-      counts.out_of_range += static_cast<std::uint64_t>(sums.readings);
+    } while (n < count && in_one_leaf(place_of(b.at[n]), place_of(at)));
+    const std::int32_t readings = sums.readings();
+    if (readings == 0) continue;
+    counts.near_plane += static_cast<std::uint64_t>(readings);
+    if (on_grid(at)) {
+      sums.add_to(run_for(runs, run_leaf(at[0], at[1], at[2]), label, readings));
     } else {
-      sums.add_to(run_for(runs, leaf, label, sums.readings));
+      counts.out_of_range += static_cast<std::uint64_t>(readings);
     }
   }
 }
@@ -189,11 +211,11 @@ inline void add_bundles(const Bundles& b, std::int32_t count, std::uint32_t labe
 template <class Visit>
 inline void for_each_span(const PlaneRow& row, const SquareLabels& labels, Visit visit) noexcept {
   const std::int32_t squares = row.columns / side;
-  for (std::int32_t s = 0; s < squares; ++s) {
+  for (std::int32_t s = 0; s < squares; s = next_change(labels, s + 1, squares)) {
     for (std::uint32_t label = labels.lowest[s]; label != 0; label = label_after(row, labels, s, label)) {
       if (s > 0 && holds(row, labels, s - 1, label)) continue;
-      std::int32_t end = s + 1;
-      while (end < squares && holds(row, labels, end, label)) ++end;
+      std::int32_t end = next_change(labels, s + 1, squares);
+      while (end < squares && holds(row, labels, end, label)) end = next_change(labels, end + 1, squares);
       visit(Span{label, s, end});
     }
   }

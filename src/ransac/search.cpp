@@ -294,7 +294,8 @@ PlaneSearch plane_search(RansacSearch& search) noexcept {
             const RansacSearchResult result = static_cast<RansacSearch*>(user)->run(cells, labels, out);
             count = result.candidates;
             return result.status;
-          }};
+          },
+          1};
 }
 
 }  // namespace straightedge

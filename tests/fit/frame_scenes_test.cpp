@@ -206,6 +206,34 @@ TEST_CASE("the second round sees what the first left over") {
   CHECK(found.planes == 5);
 }
 
+TEST_CASE("a search runs as often as it asks, unless the options say how often") {
+  const Room room;
+  const DepthFrame frame = support::frame_of(room.scene, {}, 10);
+  const auto finds_nothing = [](void* user, ImageView<const float>, const DepthCells&,
+                                ImageView<const std::uint16_t>, const PinholeCamera&,
+                                std::span<ProposedPlane>, std::uint32_t& count) noexcept {
+    ++*static_cast<std::uint32_t*>(user);
+    count = 0;
+    return Status::ok;
+  };
+  const auto calls = [&](std::uint32_t in_options, std::uint32_t asked) {
+    FramePlanesOptions options;
+    options.rounds = in_options;
+    Finder finder(size, options);
+    Image<std::uint16_t> labels(size);
+    std::vector<FoundPlane> planes(8);
+    PlanesFound found;
+    std::uint32_t count = 0;
+    REQUIRE(finder.planes.run(frame.view(), {&count, finds_nothing, asked}, labels.view(), planes, found) ==
+            Status::ok);
+    return count;
+  };
+  for (const std::uint32_t n : {1U, 2U, 5U}) {
+    CHECK(calls(0, n) == n);
+    CHECK(calls(n, 3) == n);
+  }
+}
+
 TEST_CASE("the covariance says how far a plane lies from the truth") {
   const Plane wall{normalized({0.3, -0.2, 1}), 2};
   DepthScene scene(size);

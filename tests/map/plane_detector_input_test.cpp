@@ -29,7 +29,7 @@ TEST_CASE("options out of their range are refused before memory is taken for the
     CHECK(refused(method, [](auto& o) { o.frame.max_planes = 2000000; }));  // the table of pairs: 16 TB
     CHECK(refused(method, [](auto& o) { o.frame.max_planes = 0; }));
     CHECK(refused(method, [](auto& o) { o.frame.slack = nan; }));
-    CHECK(refused(method, [](auto& o) { o.frame.rounds = 0; }));
+    CHECK(refused(method, [](auto& o) { o.frame.rounds = 9; }));
     CHECK(refused(method, [](auto& o) { o.frame.gate.sigmas = -1; }));
     for (const Size size : {Size{0, 5}, Size{5, 0}, Size{-4, 5}, Size{1 << 16, 4}, Size{1 << 15, 1 << 15}}) {
       INFO(size.width << " x " << size.height);
