@@ -34,7 +34,8 @@ class PlaneSurfaces;
 ///  5. A plane without solid pieces (cells that touch) is a stripe along a crease and leaves. One whose solid
 ///     pieces are bent (a quadratic surface fits them better by more than chance, radius below 0.6 m)
 ///     is a strip of something round: it leaves with its cells.
-///  6. Steps 2 to 5 again on what is left over, if a plane may be in it; cells keep the planes they have.
+///  6. Steps 2 to 5 again on what is left over, as often as the search asks for, if a plane may be in it; cells
+///     keep the planes they have.
 ///  7. Crumbs (pieces of a few cells) lose their plane. Pixels: a full cell that fits well is its plane's as
 ///     a whole where all around agree, or none near crosses its own in it; else a pixel within the gate is
 ///     its plane's, or if cells around differ, the nearest one's by the mean over its surface's 3x3 pixels.

@@ -17,6 +17,32 @@ inline std::uint64_t four(const std::uint16_t* labels) noexcept {
   return together;
 }
 
+/// Up to four labels beside one another; those that are missing are like one that is there.
+inline std::uint64_t up_to_four(const std::uint16_t* labels, std::int32_t count) noexcept {
+  if (count == 4) return four(labels);
+  if (count == 2) {
+    std::uint32_t two = 0;
+    std::memcpy(&two, labels, sizeof two);
+    return two | std::uint64_t{two} << 32U;
+  }
+  std::uint64_t together = *labels * four_ones;
+  for (std::int32_t i = 1; i < count; ++i) {
+    together &= ~(std::uint64_t{0xFFFF} << (16 * i));
+    together |= std::uint64_t{labels[i]} << (16 * i);
+  }
+  return together;
+}
+
+/// Writes one label, up to four times.
+inline void set_up_to_four(std::uint16_t* labels, std::int32_t count, std::uint16_t label) noexcept {
+  const std::uint64_t together = label * four_ones;
+  if (count == 4) {
+    std::memcpy(labels, &together, sizeof together);
+    return;
+  }
+  for (std::int32_t i = 0; i < count; ++i) labels[i] = label;
+}
+
 /// The top bits of those that are not 0; none may have that bit.
 constexpr std::uint64_t not_zero(std::uint64_t labels) noexcept {
   return (labels + 0x7FFF * four_ones) & (0x8000 * four_ones);

@@ -71,13 +71,8 @@ struct CellMoments {
     const std::uint16_t* row = work.cell_labels.data() + static_cast<std::ptrdiff_t>(top) * size.width + left;
     const std::uint16_t first = *row;
     std::uint64_t differ = 0;
-    for (std::int32_t j = top; j < bottom; ++j, row += size.width) {
-      if (right - left == 4) {
-        differ |= four(row) ^ (first * four_ones);
-        continue;
-      }
-      for (std::int32_t i = 0; i < right - left; ++i) differ |= row[i] ^ first;
-    }
+    for (std::int32_t j = top; j < bottom; ++j, row += size.width)
+      differ |= up_to_four(row, right - left) ^ (first * four_ones);
     if (differ != 0) return false;
     add_cell(level, static_cast<std::ptrdiff_t>(y) * squares.width + x, first);
     return true;
@@ -158,7 +153,7 @@ struct CellRow {
       if (state >= inner_border) {
         label_border(x, choice);
       } else if (state != none && readings[x] > 0) {
-        while (end < size().width && (end - x) * side() < longest_run && states[end] == state) ++end;
+        end = end_of_run(x);
         if (state >= whole) {
           pixels.count((end - x) * side() * side(), static_cast<std::uint16_t>(state & ~unsigned{whole}));
         } else {
@@ -177,6 +172,15 @@ struct CellRow {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size().width);
   }
   const std::uint16_t* own() const noexcept { return work.cell_labels.data() + first(); }
+  /// Cells from x on are the same, as many as are filled at once.
+  std::int32_t end_of_run(std::int32_t x) const noexcept {
+    const std::uint16_t state = states[x];
+    const std::int32_t most = std::min(size().width, x + longest_run / side());
+    std::int32_t end = x + 1;
+    while (end + 4 <= most && four(states + end) == state * four_ones) end += 4;
+    while (end < most && states[end] == state) ++end;
+    return end;
+  }
 
   void label_border(std::int32_t x, PixelChoice& choice) const noexcept {
     const LabelsAround near(size(), work.cell_labels, x, y);

@@ -62,15 +62,9 @@ struct FreshCells {
     const std::uint16_t first = *row;
     std::uint64_t differ = 0, some = 0;
     for (std::int32_t j = box.y; j < box.end.height; ++j, row += size.width) {
-      if (box.end.width - box.x == 4) {
-        differ |= four(row) ^ (first * four_ones);
-        some |= four(row);
-        continue;
-      }
-      for (std::int32_t i = 0; i < box.end.width - box.x; ++i) {
-        differ |= row[i] ^ first;
-        some |= row[i];
-      }
+      const std::uint64_t labels_of_row = up_to_four(row, box.end.width - box.x);
+      differ |= labels_of_row ^ (first * four_ones);
+      some |= labels_of_row;
     }
     return (some & (fresh * four_ones)) == 0 ? none : differ == 0 ? same : mixed;
   }
@@ -78,7 +72,7 @@ struct FreshCells {
   std::uint16_t take(const CellBox& box) const noexcept {
     const auto label = static_cast<std::uint16_t>(*at(box.x, box.y) & ~fresh);
     for (std::int32_t y = box.y; y < box.end.height; ++y)
-      std::fill(at(box.x, y), at(box.end.width, y), label);
+      set_up_to_four(at(box.x, y), box.end.width - box.x, label);
     return label;
   }
   /// Calls add(cell, label) for those that are fresh; two beside one another of one plane count as one. (What

@@ -61,8 +61,12 @@ void show(const DepthView& depth, ImageView<const std::uint16_t> labels, RowCopy
   for (std::int32_t y = 0; y < PlaneRow::side; ++y) {
     const bool inside = row.v + y < labels.height;
     if (inside && wide == row.columns) {
+      const std::int32_t below = row.v + y + PlaneRow::side;
+      const std::int32_t next = below < labels.height ? below : row.v + y;
       row.raw[y] = depth.raw.row(row.v + y) + row.u;
       row.labels[y] = labels.row(row.v + y) + row.u;
+      row.next[y] = depth.raw.row(next) + row.u;
+      row.next[PlaneRow::side + y] = labels.row(next) + row.u;
       continue;
     }
     if (inside) {
@@ -70,8 +74,8 @@ void show(const DepthView& depth, ImageView<const std::uint16_t> labels, RowCopy
       std::copy_n(labels.row(row.v + y) + row.u, wide, copy.labels[y]);
     }
     std::fill(copy.labels[y] + (inside ? wide : 0), std::end(copy.labels[y]), std::uint16_t{0});
-    row.raw[y] = copy.raw[y];
-    row.labels[y] = copy.labels[y];
+    row.raw[y] = row.next[y] = copy.raw[y];
+    row.labels[y] = row.next[PlaneRow::side + y] = copy.labels[y];
   }
 }
 
@@ -100,14 +104,6 @@ PlaneRowCounts register_depth(const DepthView& depth, ImageView<const std::uint1
   for (row.v = 0; row.v < labels.height; row.v += PlaneRow::side) {
     for (row.u = 0; row.u < labels.width; row.u += PlaneRow::most_columns) {
       show(depth, labels, copy, row);
-      for (std::int32_t y = row.v + 4; y < std::min(row.v + 8, labels.height); ++y) {
-        const char* a = reinterpret_cast<const char*>(depth.raw.row(y) + row.u);
-        const char* b = reinterpret_cast<const char*>(labels.row(y) + row.u);
-        for (std::int32_t i = 0; i < 2 * row.columns; i += 64) {
-          __builtin_prefetch(a + i);
-          __builtin_prefetch(b + i);
-        }
-      }
       kernels.add(row, columns, runs.with_room_for(PlaneRow::most_runs), counts);
     }
   }
@@ -147,7 +143,8 @@ PlaneRowCounts register_points(const PointsView& points, std::span<const std::ui
     detail::PlaneRun& run = plain::run_for(runs.with_room_for(1), plain::run_leaf(i, j, k), label, 1);
     const double residual = plain::bounded(beyond * plane_grid::quanta_per_m, plane_row::most_residual);
     plain::BundleSums bundle;
-    bundle.add(plain::BundlePlace{i, j, k, plain::BundleSums::one}, 1, static_cast<std::int64_t>(residual * residual));
+    bundle.add(plain::BundlePlace{i, j, k, plain::BundleSums::one}, 1,
+               static_cast<std::int64_t>(residual * residual));
     bundle.add_to(run);
   }
   return counts;

@@ -31,8 +31,10 @@ struct PlaneRow {
 
   const std::uint16_t* raw[side] = {};
   const std::uint16_t* labels[side] = {};  ///< 0 where the picture has no pixels
-  std::int32_t columns = 0;                ///< a multiple of 16
-  std::int32_t u = 0, v = 0;               ///< first column, first row
+  /// The rows after these, which a processor would not ask memory for in time; where there are none, these.
+  const std::uint16_t* next[2 * side] = {};
+  std::int32_t columns = 0;   ///< a multiple of 16
+  std::int32_t u = 0, v = 0;  ///< first column, first row
   double metres_per_unit = 0;
   GridCamera grid;
   const PixelPlane* planes = nullptr;  ///< that of label 1 first
@@ -44,9 +46,10 @@ struct PlaneRow {
 struct PlaneColumns {
   static constexpr std::int32_t size = PlaneRow::most_columns + 32;
 
-  std::int32_t readings[size] = {};
-  std::int32_t down[size] = {};  ///< sum of their places in the column, 0 to 3
-  float residual[size] = {};     ///< squares, quanta²
+  static constexpr std::int32_t place_bits = 8, place = 1 << place_bits;
+
+  std::int32_t readings[size] = {};  ///< how many, and `place` times the sum of their places, 0 to 3
+  float residual[size] = {};         ///< squares, quanta²
 };
 
 /// What became of the readings of rows.

@@ -15,7 +15,8 @@ constexpr std::int32_t squares_at_once = 8;
 /// The lowest and the highest label of each square, 0 where it has none.
 struct SquareLabels {
   std::uint16_t lowest[PlaneRow::most_squares], highest[PlaneRow::most_squares];
-  std::uint8_t goes_on[PlaneRow::most_squares];  ///< 1: it and the one before have the same one label, or none
+  std::uint8_t
+      goes_on[PlaneRow::most_squares];  ///< 1: it and the one before have the same one label, or none
 };
 
 struct ColumnLabels {
@@ -89,7 +90,8 @@ inline bool holds(const PlaneRow& row, const SquareLabels& labels, std::int32_t 
 }
 
 /// The first square from this one on that does not go on what the one before has.
-inline std::int32_t next_change(const SquareLabels& labels, std::int32_t square, std::int32_t squares) noexcept {
+inline std::int32_t next_change(const SquareLabels& labels, std::int32_t square,
+                                std::int32_t squares) noexcept {
   constexpr std::uint64_t eight_go_on = 0x0101010101010101U;
   for (; square + 8 <= squares; square += 8) {
     std::uint64_t eight;
@@ -125,7 +127,7 @@ inline void sum_columns(const PlaneRow& row, const PixelPlane& plane, const Span
       first[y] = static_cast<float>((plane.by_u * (row.u + x) + (plane.by_v * (row.v + y) + plane.constant)) *
                                     scale);
     for (std::int32_t lane = 0; lane < at_once; ++lane) {
-      std::int32_t readings = 0, down = 0;
+      std::int32_t readings = 0;
       float residual = 0;
       for (std::int32_t y = side - 1; y >= 0; --y) {
         const float per_unit = first[y] + step * static_cast<float>(lane);
@@ -134,12 +136,10 @@ inline void sum_columns(const PlaneRow& row, const PixelPlane& plane, const Span
         const std::int32_t near =
             (row.labels[y][x + lane] == label ? -1 : 0) & ((bits_of(beyond) & INT32_MAX) <= far_off ? -1 : 0);
         const float kept = __builtin_bit_cast(float, bits_of(beyond) & near);
-        down += -readings;
-        readings += near;
+        readings += near & (1 + PlaneColumns::place * y);
         residual += kept * kept;
       }
-      sums.readings[x + lane] = -readings;
-      sums.down[x + lane] = down;
+      sums.readings[x + lane] = readings;
       sums.residual[x + lane] = residual;
     }
   }
@@ -159,12 +159,13 @@ inline void place(const PlaneRow& row, const PixelPlane& plane, const PlaneColum
   for (std::int32_t lane = 0; lane < squares_at_once; ++lane) {
     const std::int32_t x = side * (square + lane);
     const std::int32_t* const n = sums.readings + x;
-    const std::int32_t* const d = sums.down + x;
     const float* const r = sums.residual + x;
-    const std::int32_t readings = n[0] + n[1] + n[2] + n[3];
+    constexpr std::int32_t number = PlaneColumns::place - 1;
+    const std::int32_t sum = (n[0] + n[1]) + (n[2] + n[3]), along = n[1] + 2 * n[2] + 3 * n[3];
+    const std::int32_t readings = sum & number;
     const float share = 1.0F / static_cast<float>(readings > 1 ? readings : 1);
-    u[lane] = row.u + x + static_cast<double>(share * static_cast<float>(n[1] + 2 * n[2] + 3 * n[3]));
-    v[lane] = row.v + static_cast<double>(share * static_cast<float>(d[0] + d[1] + d[2] + d[3]));
+    u[lane] = row.u + x + static_cast<double>(share * static_cast<float>(along & number));
+    v[lane] = row.v + static_cast<double>(share * static_cast<float>(sum >> PlaneColumns::place_bits));
     bundles.readings[lane] = readings;
     bundles.residual[lane] = (r[0] + r[1]) + (r[2] + r[3]);
   }
@@ -207,6 +208,11 @@ inline void add_bundles(const Bundles& b, std::int32_t count, std::uint32_t labe
   }
 }
 
+/// Asks memory for what lies below eight squares: a line of the cache in each row.
+inline void expect_below(const PlaneRow& row, std::int32_t square) noexcept {
+  for (const std::uint16_t* next : row.next) __builtin_prefetch(next + side * square);
+}
+
 /// Every plane's spans, those that begin first first.
 template <class Visit>
 inline void for_each_span(const PlaneRow& row, const SquareLabels& labels, Visit visit) noexcept {
@@ -233,6 +239,7 @@ void add(const PlaneRow& row, PlaneColumns& columns, detail::PlaneRunTable& tabl
       const PixelPlane& plane = row.planes[span.label - 1];
       sum_columns(row, plane, span, columns);
       for (std::int32_t s = span.begin; s < span.end; s += squares_at_once) {
+        expect_below(row, s);
         Bundles bundles;
         place(row, plane, columns, s, bundles);
         const std::int32_t left = span.end - s;

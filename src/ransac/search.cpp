@@ -287,15 +287,4 @@ RansacSearchResult RansacSearch::run(const DepthCells& cells, ImageView<const st
   return result;
 }
 
-PlaneSearch plane_search(RansacSearch& search) noexcept {
-  return {&search, [](void* user, ImageView<const float> /*inverse_depth*/, const DepthCells& cells,
-                      ImageView<const std::uint16_t> labels, const PinholeCamera& /*camera*/,
-                      std::span<ProposedPlane> out, std::uint32_t& count) noexcept {
-            const RansacSearchResult result = static_cast<RansacSearch*>(user)->run(cells, labels, out);
-            count = result.candidates;
-            return result.status;
-          },
-          1};
-}
-
 }  // namespace straightedge

@@ -36,8 +36,8 @@ struct Pixels {
         const std::uint32_t any = kind == 0 ? 0 : kind == 1 ? 65535 : 800 + random.below(3000);
         raw[y].push_back(static_cast<std::uint16_t>(any));
       }
-      row.raw[y] = raw[y].data();
-      row.labels[y] = labels[y].data();
+      row.raw[y] = row.next[y] = raw[y].data();
+      row.labels[y] = row.next[PlaneRow::side + y] = labels[y].data();
     }
     row.planes = planes.data();
     row.plane_count = 4;
@@ -212,6 +212,7 @@ TEST_CASE("a full run is followed by another one of the same leaf", "[plane_row]
   PlaneRow row;
   std::fill_n(row.raw, PlaneRow::side, raw.data());
   std::fill_n(row.labels, PlaneRow::side, labels.data());
+  std::fill_n(row.next, 2 * PlaneRow::side, labels.data());
   row.columns = 640;
   row.metres_per_unit = 0.001;
   row.planes = &plane;
