@@ -7,6 +7,23 @@ namespace {
 
 constexpr std::int32_t at_once = 16;
 
+/// The coefficients of one surface for all cells.
+struct SameSurface {
+  float c, x, y, xx, xy, yy;
+
+  SameSurface(const DepthSurfaces& s, std::int32_t k) noexcept
+      : c(s.c[k]), x(s.x[k]), y(s.y[k]), xx(s.xx[k]), xy(s.xy[k]), yy(s.yy[k]) {}
+  const SameSurface& of(std::int32_t /*cell*/) const noexcept { return *this; }
+};
+
+/// Those of each cell's own one.
+struct OwnSurfaces {
+  const DepthSurfaces& all;
+  const std::int32_t* plane;
+
+  SameSurface of(std::int32_t cell) const noexcept { return {all, plane[cell] > 0 ? plane[cell] : 0}; }
+};
+
 /// Some cells and the planes that they have, −1 where they have none.
 struct LabelledCells {
   const float* first;
@@ -19,15 +36,15 @@ struct LabelledCells {
   const float* row(std::ptrdiff_t kind) const noexcept { return first + kind * apart; }
 
   /// Squared residuals of all readings, as squared_residuals in depth_cells_cell.hpp.
-  void find_squares(const DepthSurfaces& s, std::int32_t count) noexcept {
+  template <class Surfaces>
+  void find_squares(const Surfaces& surfaces, std::int32_t count) noexcept {
     const float *n = row(0), *u = row(1), *v = row(2), *q = row(3), *uu = row(4), *uv = row(5), *vv = row(6),
                 *uq = row(7), *vq = row(8), *qq = row(9);
     for (std::int32_t i = 0; i < count; ++i) {
-      const std::int32_t k = plane[i] > 0 ? plane[i] : 0;
-      const float xx = s.xx[k], xy = s.xy[k], yy = s.yy[k];
-      const float a = (s.x[k] + 2 * xx * u[i]) + xy * v[i], b = (s.y[k] + xy * u[i]) + 2 * yy * v[i];
-      const float bend = xx * u[i] * u[i] + xy * u[i] * v[i] + yy * v[i] * v[i];
-      const float r = q[i] - ((s.c[k] + s.x[k] * u[i] + s.y[k] * v[i]) + bend);
+      const SameSurface s = surfaces.of(i);
+      const float a = (s.x + 2 * s.xx * u[i]) + s.xy * v[i], b = (s.y + s.xy * u[i]) + 2 * s.yy * v[i];
+      const float bend = s.xx * u[i] * u[i] + s.xy * u[i] * v[i] + s.yy * v[i] * v[i];
+      const float r = q[i] - ((s.c + s.x * u[i] + s.y * v[i]) + bend);
       const float mixed = a * uq[i] + b * vq[i];
       const float square = a * (a * uu[i] + 2 * b * uv[i]) + b * b * vv[i];
       squares[i] = n[i] * r * r + ((qq[i] - 2 * mixed) + square);
@@ -43,14 +60,20 @@ void mark_whole(const DepthWholeCells& task, const DepthSurfaces& surfaces, std:
     LabelledCells cells(task.at, first);
     std::uint16_t* of = labels + first;
     const std::uint16_t* own = task.own + first;
-    std::int32_t some = 0;
+    const std::int32_t plane = (of[0] == DepthWholeCells::border ? own[0] : of[0]) - 1;
+    std::int32_t some = 0, differ = 0;
     for (std::int32_t i = 0; i < count; ++i) {
       const std::int32_t label = of[i] == DepthWholeCells::border ? own[i] : of[i];
       cells.plane[i] = label - 1;
       some |= label;
+      differ |= plane ^ (label - 1);
     }
     if (some == 0) continue;
-    cells.find_squares(surfaces, count);
+    if (differ == 0) {
+      cells.find_squares(SameSurface(surfaces, plane), count);
+    } else {
+      cells.find_squares(OwnSurfaces{surfaces, cells.plane}, count);
+    }
     const float *n = cells.row(0), *q = cells.row(3);
     for (std::int32_t i = 0; i < count; ++i) {
       const float of_square = task.noise_of_square * (q[i] * q[i]);
