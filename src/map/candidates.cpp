@@ -34,7 +34,7 @@ Status find_edges(GrayView edges, const EdgeSources& sources, const LineMapOptio
   refit.max_gap = std::min(options.max_gap, 8.0);
   for (int round = 0; round < max_rounds; ++round) {
     const std::span<const HoughSegment> rough =
-        room.hough.run(room.points.mask(), {sources.directions.x, sources.directions.y}, hough);
+        room.hough.run(room.points.mask(), {sources.directions.stored.x, sources.directions.stored.y}, hough);
     if (room.hough.result.status != Status::ok) return room.hough.result.status;
     if (round == 0) report.hough = room.hough.result;
     ++report.rounds;

@@ -43,7 +43,8 @@ std::uint64_t on_lattice(std::int32_t y, std::int32_t word, bool mirrored) {
 }  // namespace
 
 void EdgeFollower::start(std::int32_t x, std::int32_t y) {
-  const double dx = sources_.directions.x.at(x, y), dy = sources_.directions.y.at(x, y);
+  const PixelGradient gradient = sources_.directions.at(x, y);
+  const double dx = gradient.dx, dy = gradient.dy;
   const double size = square_root(dx * dx + dy * dy);
   steep_ = std::fabs(dx) > std::fabs(dy);
   strip_ = {.px = static_cast<double>(x),
@@ -65,8 +66,8 @@ void EdgeFollower::start(std::int32_t x, std::int32_t y) {
 }
 
 /// Step 2.
-template <bool steep>
-void EdgeFollower::walk(Way& way, std::int32_t steps) {
+template <bool steep, class Gradients>
+void EdgeFollower::walk(Way& way, std::int32_t steps, const Gradients& gradients) {
   const Pixel seed = seed_;
   const auto room = way.visited + static_cast<std::size_t>(steps * most_in_step);
   if (way.pixels.size() < room) way.pixels.resize(2 * room);
@@ -74,8 +75,8 @@ void EdgeFollower::walk(Way& way, std::int32_t steps) {
   const std::int32_t left = way.direction > 0 ? edges_->steps(steep) - way.step : way.step + 1;
   const std::int32_t in_picture = course.steps_in(edges_->places(steep), std::min(steps, left));
   const std::int64_t nx = fixed(strip_.nx), ny = fixed(strip_.ny), gap = fixed(options_.max_gap);
-  walking::EdgesAlong<steep> along(edges_->lines(steep), sources_.directions, in_picture > 0 ? way.step : 0,
-                                   way.direction);
+  walking::EdgesAlong<steep, Gradients> along(edges_->lines(steep), gradients, in_picture > 0 ? way.step : 0,
+                                              way.direction);
   Pixel* pixel = way.pixels.data() + way.visited;
   const Pixel* up_to_last = way.pixels.data() + way.up_to_last;
   std::int64_t from = course.from, hole = way.hole;
@@ -87,7 +88,8 @@ void EdgeFollower::walk(Way& way, std::int32_t steps) {
     if (steep && k + gradient_rows_ahead < left) along.fetch(gradient_rows_ahead, std::max(first, 0));
     for (std::uint64_t bits = along.edges(first, course.width); bits != 0; bits &= bits - 1) {
       const std::int32_t across = first + std::countr_zero(bits);
-      const std::int64_t dx = along.dx(across), dy = along.dy(across);
+      const PixelGradient gradient = along.gradient(across);
+      const std::int64_t dx = gradient.dx, dy = gradient.dy;
       const std::int64_t toward = dx * nx + dy * ny, aside = dx * ny - dy * nx;
       const std::int64_t turned = (aside < 0 ? -aside : aside) * 256;
       if (turned >= toward * tangent_beside) continue;
@@ -119,6 +121,17 @@ void EdgeFollower::walk(Way& way, std::int32_t steps) {
   way.visited = static_cast<std::size_t>(pixel - way.pixels.data());
   way.up_to_last = static_cast<std::size_t>(up_to_last - way.pixels.data());
   if (way.up_to_last > 0) way.last = way.pixels[way.up_to_last - 1];
+}
+
+void EdgeFollower::go_on(Way& way, std::int32_t steps) {
+  const GradientSource& source = sources_.directions;
+  if (source.is_stored()) {
+    const StoredGradients stored(source.stored);
+    steep_ ? walk<true>(way, steps, stored) : walk<false>(way, steps, stored);
+  } else {
+    const MadeGradients made(source.blurred);
+    steep_ ? walk<true>(way, steps, made) : walk<false>(way, steps, made);
+  }
 }
 
 /// Step 3.
@@ -221,13 +234,14 @@ std::uint32_t EdgeFollower::take_pixels() {
 }
 
 bool EdgeFollower::follow(std::int32_t x, std::int32_t y, double min_length, WallLine& line) {
-  if (sources_.directions.x.at(x, y) == 0 && sources_.directions.y.at(x, y) == 0) return false;
+  if (const PixelGradient gradient = sources_.directions.at(x, y); gradient.dx == 0 && gradient.dy == 0)
+    return false;
   start(x, y);
   std::int32_t steps = first_steps;
   const double few = 2 * min_density * first_steps;
   while (ways_[0].going || ways_[1].going) {
     for (Way& way : ways_) {
-      if (way.going) steep_ ? walk<true>(way, steps) : walk<false>(way, steps);
+      if (way.going) go_on(way, steps);
       if (sums_.count < few_on_one_side) return false;
     }
     if (static_cast<double>(sums_.count) < few || !lay_line()) return false;

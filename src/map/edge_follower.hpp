@@ -47,8 +47,8 @@ struct FollowOptions {
 /// doi:10.1016/j.patrec.2011.06.001, fits while it follows.
 class EdgeFollower {
  public:
-  /// The edges in the order in which they were found. Of `edges` those stay that no line took. The rows of
-  /// both gradients of the directions have to be equally far apart.
+  /// The edges in the order in which they were found. Of `edges` those stay that no line took. Where
+  /// directions are stored, the rows of both gradients have to be equally far apart.
   std::vector<WallLine> run(EdgeBits& edges, const EdgeSources& sources, const FollowOptions& options,
                             const PictureRowKernels& kernels);
 
@@ -76,8 +76,9 @@ class EdgeFollower {
 
   bool follow(std::int32_t x, std::int32_t y, double min_length, WallLine& line);
   void start(std::int32_t x, std::int32_t y);
-  template <bool steep>
-  void walk(Way& way, std::int32_t steps);
+  void go_on(Way& way, std::int32_t steps);
+  template <bool steep, class Gradients>
+  void walk(Way& way, std::int32_t steps, const Gradients& gradients);
   bool lay_line();
   bool is_edge(double min_length) const;
   bool fit(WallLine& line);

@@ -26,15 +26,19 @@ struct RowMemory {
   std::span<std::uint8_t> words;
 
   /// Rings as long as the picture is high keep every row.
-  static RowMemory take(Arena& arena, Size size, const CannyOptions& options, Blurred blurred) {
+  static RowMemory take(Arena& arena, Size size, const CannyOptions& options, Kept kept) {
     const auto words = static_cast<std::size_t>((size.width + word - 1) / word);
     RowMemory memory;
     memory.rows = detail::CannyRowMemory::take(arena, size, options);
-    if (blurred == Blurred::kept)
-      memory.rows.blurred =
-          detail::RowRing<std::uint8_t>::take(arena, size.height, size.width, options.aperture / 2);
-    memory.rows.dx = detail::RowRing<std::int16_t>::take(arena, size.height, size.width, 0);
-    memory.rows.dy = detail::RowRing<std::int16_t>::take(arena, size.height, size.width, 0);
+    detail::RowRing<std::uint8_t>& blurred = memory.rows.blurred;
+    blurred = detail::RowRing<std::uint8_t>::take(arena, size.height + 2, size.width, options.aperture / 2);
+    // The rim's upper row lies before the first one, the lower one behind the last.
+    blurred.elements = blurred.elements.subspan(std::min(blurred.stride, blurred.elements.size()));
+    blurred.slots = size.height;
+    if (kept == Kept::gradient) {
+      memory.rows.dx = detail::RowRing<std::int16_t>::take(arena, size.height, size.width, 0);
+      memory.rows.dy = detail::RowRing<std::int16_t>::take(arena, size.height, size.width, 0);
+    }
     memory.worklist = arena.take<std::uint32_t>(straightedge::worklist);
     memory.classes = arena.take<std::uint8_t>(words * word);
     memory.words = arena.take<std::uint8_t>(words * EdgeWord::bytes * static_cast<std::size_t>(size.height));
@@ -53,6 +57,15 @@ ImageView<const T> all_rows(const detail::RowRing<T>& ring, Size size) {
   return {ring.row(0), size, static_cast<std::ptrdiff_t>(ring.stride * sizeof(T))};
 }
 
+/// What Sobel's operator takes for the rows beyond the picture; columns have theirs.
+void copy_rim(const detail::RowRing<std::uint8_t>& blurred, Size size) {
+  std::uint8_t *first = blurred.row(0) - blurred.margin,
+               *last = blurred.row(size.height - 1) - blurred.margin;
+  const std::size_t bytes = static_cast<std::size_t>(size.width) + 2 * blurred.margin;
+  std::copy_n(first, bytes, first - blurred.stride);
+  std::copy_n(last, bytes, last + blurred.stride);
+}
+
 std::uint32_t count_edges(const EdgeWords& words) {
   std::uint32_t count = 0;
   for (std::int32_t y = 0; y < words.height; ++y)
@@ -64,13 +77,14 @@ std::uint32_t count_edges(const EdgeWords& words) {
 
 }  // namespace
 
-Status EdgePlanes::detect(GrayView gray, const CannyOptions& options, const KernelSet& kernels,
-                          Blurred blurred_picture, Wanted wanted) {
+Status EdgePlanes::detect(GrayView gray, const CannyOptions& options, const KernelSet& kernels, Kept kept,
+                          Wanted wanted) {
   const Status valid = Canny::check(gray.size(), options);
   if (valid != Status::ok) return valid;
   const CannyRowOptions rows{.kernels = kernels.canny_rows};
   const bool may = detail::CannyRowRecipe::check(gray.size(), options, rows) == Status::ok;
-  return may ? by_rows(gray, options, *kernels.canny_rows, blurred_picture, wanted)
+  return may ? by_rows(gray, options, *kernels.canny_rows, options.aperture == 3 ? kept : Kept::gradient,
+                       wanted)
              : by_stages(gray, options);
 }
 
@@ -81,13 +95,13 @@ void EdgePlanes::reserve(std::size_t bytes) {
 }
 
 Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const CannyRowKernels& kernels,
-                           Blurred blurred_picture, Wanted wanted) {
+                           Kept kept, Wanted wanted) {
   const Size size = gray.size();
   Arena measure = Arena::measure();
-  RowMemory::take(measure, size, options, blurred_picture);
+  RowMemory::take(measure, size, options, kept);
   reserve(measure.used());
   Arena arena({memory_.get(), bytes_});
-  const RowMemory memory = RowMemory::take(arena, size, options, blurred_picture);
+  const RowMemory memory = RowMemory::take(arena, size, options, kept);
   const Status made = make_gaussian_kernel(options.sigma, memory.rows.taps);
   if (made != Status::ok) return made;
   detail::CannyRowRecipe recipe;
@@ -102,9 +116,11 @@ Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const Can
   for (std::int32_t y = 0; y < size.height; ++y) {
     if (const std::int32_t soon = y + fetched_rows_ahead; soon < size.height) {
       fetch_to_read(gray.row(soon), size.width);
-      fetch_row(memory.rows.dx, soon);
-      fetch_row(memory.rows.dy, soon);
-      if (blurred_picture == Blurred::kept) fetch_row(memory.rows.blurred, soon);
+      fetch_row(memory.rows.blurred, soon);
+      if (kept == Kept::gradient) {
+        fetch_row(memory.rows.dx, soon);
+        fetch_row(memory.rows.dy, soon);
+      }
     }
     recipe.push(gray.row(y));
     if (wanted == Wanted::gradient) {
@@ -125,10 +141,14 @@ Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const Can
     words_ = words;
   }
   kernels_ = &kernels;
-  blurred = {};
-  if (blurred_picture == Blurred::kept) blurred = all_rows(memory.rows.blurred, size);
-  dx = all_rows(memory.rows.dx, size);
-  dy = all_rows(memory.rows.dy, size);
+  blurred = all_rows(memory.rows.blurred, size);
+  dx = dy = {};
+  if (kept == Kept::gradient) {
+    dx = all_rows(memory.rows.dx, size);
+    dy = all_rows(memory.rows.dy, size);
+  } else {
+    copy_rim(memory.rows.blurred, size);
+  }
   result = {Status::ok, options.low, options.high, recipe.strong(), count_edges(words_)};
   return Status::ok;
 }
@@ -148,8 +168,12 @@ Status EdgePlanes::by_stages(GrayView gray, const CannyOptions& options) {
   return result.status;
 }
 
+GradientSource EdgePlanes::gradients() const {
+  return dx.data != nullptr ? GradientSource(GradientField{dx, dy, {}}) : GradientSource(blurred);
+}
+
 void EdgePlanes::to_bits(EdgeBits& bits) const {
-  bits.reset(dx.size());
+  bits.reset(blurred.size());
   for (std::int32_t y = 0; y < words_.height; ++y) {
     for (std::int32_t i = 0; i < words_.words; ++i) {
       const std::uint64_t edges = EdgeWord::load(words_.at(i, y)).edges;
@@ -164,9 +188,9 @@ void EdgePlanes::to_bits(EdgeBits& bits) const {
 
 GrayView EdgePlanes::to_pixels() {
   if (words_.first == nullptr) return pixels_;
-  if (pixels_.size() != dx.size()) pixels_ = Image<std::uint8_t>::for_overwrite(dx.size());
-  for (std::int32_t y = 0; y < dx.height; ++y)
-    kernels_->spread_edges(words_.row(y), pixels_.view().row(y), dx.width);
+  if (pixels_.size() != blurred.size()) pixels_ = Image<std::uint8_t>::for_overwrite(blurred.size());
+  for (std::int32_t y = 0; y < blurred.height; ++y)
+    kernels_->spread_edges(words_.row(y), pixels_.view().row(y), blurred.width);
   return pixels_;
 }
 

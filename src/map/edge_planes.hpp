@@ -8,15 +8,18 @@
 
 #include "canny/edge_words.hpp"
 #include "map/edge_bits.hpp"
+#include "map/pixel_gradient.hpp"
 #include "straightedge/canny.hpp"
-#include "straightedge/edge_position.hpp"
 #include "straightedge/host/image.hpp"
 #include "straightedge/host/kernels.hpp"
 
 namespace straightedge {
 
-/// Whether all of the blurred picture is kept, or only what Canny needs of it at a time.
-enum class Blurred : std::uint8_t { kept, dropped };
+/// What of the stages before the edges is kept for all pixels.
+enum class Kept : std::uint8_t {
+  gradient,  ///< and the blurred picture
+  blurred,   ///< this alone, where single gradients can be made from it anew; else as `gradient`
+};
 
 /// Whether edges are asked for, or the gradient alone.
 enum class Wanted : std::uint8_t { edges, gradient };
@@ -24,14 +27,16 @@ enum class Wanted : std::uint8_t { edges, gradient };
 /// What Canny leaves behind: edges, and of the stages before them those that a line map reads again.
 class EdgePlanes {
  public:
-  GrayView blurred;  ///< none where it was dropped
-  ImageView<const std::int16_t> dx, dy;
+  GrayView blurred;
+  ImageView<const std::int16_t> dx, dy;  ///< none where they can be made anew
   CannyResult result;
 
   /// The results of canny.hpp, bit for bit. Row by row with the kernels given, with automatic thresholds
   /// stage by stage.
   Status detect(GrayView gray, const CannyOptions& options, const KernelSet& kernels,
-                Blurred blurred_picture = Blurred::kept, Wanted wanted = Wanted::edges);
+                Kept kept = Kept::gradient, Wanted wanted = Wanted::edges);
+
+  GradientSource gradients() const;
 
   /// The edges, where they were wanted: as bits, or 255 in a picture.
   void to_bits(EdgeBits& bits) const;
@@ -39,8 +44,8 @@ class EdgePlanes {
 
  private:
   void reserve(std::size_t bytes);
-  Status by_rows(GrayView gray, const CannyOptions& options, const CannyRowKernels& kernels,
-                 Blurred blurred_picture, Wanted wanted);
+  Status by_rows(GrayView gray, const CannyOptions& options, const CannyRowKernels& kernels, Kept kept,
+                 Wanted wanted);
   Status by_stages(GrayView gray, const CannyOptions& options);
 
   std::unique_ptr<std::byte[]> memory_;

@@ -67,8 +67,8 @@ void EdgePoints::find(GrayView edges, const EdgeSources& sources, GradientNorm n
     const std::int32_t soon = std::min(y + gradient_rows_ahead, edges.height - 1);
     for (std::int32_t i = 0; i < count; ++i) {
       const std::int32_t x = columns[static_cast<std::size_t>(i)];
-      __builtin_prefetch(sources.directions.x.row(soon) + x);
-      __builtin_prefetch(sources.directions.y.row(soon) + x);
+      __builtin_prefetch(sources.directions.stored.x.row(soon) + x);
+      __builtin_prefetch(sources.directions.stored.y.row(soon) + x);
       read_edge(sources, x, y, *batch_);
       if (batch_->count == EdgeBatch::room) flush();
     }

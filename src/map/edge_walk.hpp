@@ -8,7 +8,7 @@
 
 #include "hough/corridor.hpp"
 #include "map/edge_bits.hpp"
-#include "straightedge/edge_position.hpp"
+#include "map/pixel_gradient.hpp"
 
 /// What step 2 of edge_follower.hpp goes by. A step is a column, of steep edges a row; pixels lie across.
 namespace straightedge::walking {
@@ -57,17 +57,17 @@ inline Course course_of(const refitting::Corridor& strip, bool steep, std::int32
           .width = static_cast<std::int32_t>((2 * reach + one) / one)};
 }
 
-/// Edges and gradients along a way, step by step. The rows of both gradients are equally far apart.
-template <bool steep>
+/// Edges and gradients along a way, step by step.
+template <bool steep, class Gradients>
 class EdgesAlong {
  public:
-  EdgesAlong(const BitLinesView& edges, const GradientField& field, std::int32_t step, std::int32_t direction)
+  EdgesAlong(const BitLinesView& edges, const Gradients& gradients, std::int32_t step, std::int32_t direction)
       : line_(edges.line(step)),
         next_words_(direction * static_cast<std::ptrdiff_t>(edges.words_in_line)),
-        dx_(field.x.row(steep ? step : 0) + (steep ? 0 : step)),
-        dy_(field.y.row(steep ? step : 0) + (steep ? 0 : step)),
-        next_(direction * (steep ? row_step(field.x) : 1)),
-        across_(steep ? 1 : row_step(field.x)) {}
+        gradients_(gradients),
+        here_(step * (steep ? gradients.row() : 1)),
+        next_(direction * (steep ? gradients.row() : 1)),
+        across_(steep ? 1 : gradients.row()) {}
   void go_on() {
     words_ += next_words_;
     here_ += next_;
@@ -75,22 +75,16 @@ class EdgesAlong {
   std::uint64_t edges(std::int32_t from, std::int32_t count) const {
     return EdgeBits::part(line_ + words_, from, count);
   }
-  std::int16_t dx(std::int32_t place) const { return dx_[here_ + place * across_]; }
-  std::int16_t dy(std::int32_t place) const { return dy_[here_ + place * across_]; }
+  PixelGradient gradient(std::int32_t place) const { return gradients_.at(here_ + place * across_); }
   void fetch(std::int32_t steps, std::int32_t place) const {
-    __builtin_prefetch(dx_ + (here_ + steps * next_ + place * across_));
-    __builtin_prefetch(dy_ + (here_ + steps * next_ + place * across_));
+    gradients_.fetch(here_ + steps * next_ + place * across_);
   }
 
  private:
-  static std::ptrdiff_t row_step(const ImageView<const std::int16_t>& field) {
-    return field.stride / static_cast<std::ptrdiff_t>(sizeof(std::int16_t));
-  }
-
   const std::uint64_t* line_;
   std::ptrdiff_t words_ = 0, next_words_;
-  const std::int16_t *dx_, *dy_;
-  std::ptrdiff_t here_ = 0, next_, across_;
+  Gradients gradients_;
+  std::ptrdiff_t here_, next_, across_;
 };
 
 }  // namespace straightedge::walking

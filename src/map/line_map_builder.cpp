@@ -71,22 +71,20 @@ struct Edges {
   /// Directions from the stretched picture, positions from the one as given: stretching cuts off the light
   /// end of each edge and would move it towards the dark.
   EdgeSources sources() const {
-    const GradientField stretched{planes.dx, planes.dy, {}};
-    if (as_given) return stretched;
-    return {stretched, GradientField{given.dx, given.dy, {}}};
+    return {planes.gradients(), as_given ? planes.gradients() : given.gradients()};
   }
 };
 
-Status detect_edges(const Picture& picture, const CannyOptions& options, const KernelSet& kernels,
+Status detect_edges(const Picture& picture, const LineMapOptions& options, const KernelSet& kernels,
                     Edges& edges) {
+  const Kept kept = options.hough ? Kept::gradient : Kept::blurred;
   // Where stretching has cut nothing off, the stretched picture has its edges where the given one has them.
   edges.as_given = !picture.clipped;
   if (picture.clipped) {
-    const Status status =
-        edges.given.detect(picture.gray, options, kernels, Blurred::dropped, Wanted::gradient);
+    const Status status = edges.given.detect(picture.gray, options.canny, kernels, kept, Wanted::gradient);
     if (status != Status::ok) return status;
   }
-  return edges.planes.detect(picture.stretched, options, kernels);
+  return edges.planes.detect(picture.stretched, options.canny, kernels, kept);
 }
 
 FollowOptions follow_options(const LineMapOptions& options, const Picture& picture) {
@@ -170,13 +168,13 @@ Result<LineMapResult> LineMapBuilder::build_coarse(GrayView gray) {
   }
   // Step 2.
   EdgePlanes& planes = room_->edges.planes;
-  const Status status = planes.detect(seen, options.canny, kernels_, Blurred::dropped);
+  const Status status = planes.detect(seen, options.canny, kernels_, Kept::blurred);
   if (status != Status::ok) return failure_of("the edge detector", status);
   out.report.picture = PictureKind::automatic;
   out.report.canny = planes.result;
   // Step 3.
   planes.to_bits(room_->bits);
-  std::vector<WallLine> lines = room_->follower.run(room_->bits, GradientField{planes.dx, planes.dy, {}},
+  std::vector<WallLine> lines = room_->follower.run(room_->bits, {planes.gradients(), planes.gradients()},
                                                     follow_options(options, {}), *kernels_.picture_rows);
   out.report.candidates = out.report.edges = static_cast<std::uint32_t>(lines.size());
   // Step 4.
@@ -210,7 +208,7 @@ Result<LineMapResult> LineMapBuilder::build(GrayView gray) {
   report.picture = picture.kind;
   // Step 2: edges.
   Edges& edges = room_->edges;
-  Status status = detect_edges(picture, options.canny, kernels_, edges);
+  Status status = detect_edges(picture, options, kernels_, edges);
   if (status != Status::ok) return failure_of("the edge detector", status);
   report.canny = edges.planes.result;
   // Step 3: straight edges, each with pixels of its own.

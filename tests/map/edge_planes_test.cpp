@@ -3,8 +3,10 @@
 #include "map/edge_planes.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
+#include "map/edge_reading.hpp"
 #include "straightedge/host/line_map_builder.hpp"
 #include "straightedge/random.hpp"
 #include "support/catch.hpp"
@@ -29,6 +31,26 @@ bool same(ImageView<const T> a, ImageView<const T> b) {
   for (std::int32_t y = 0; y < a.height && equal; ++y)
     for (std::int32_t x = 0; x < a.width; ++x) equal = equal && a.at(x, y) == b.at(x, y);
   return equal;
+}
+
+/// Of every pixel, and of those across it.
+bool same_gradients(const GradientSource& source, const GradientField& stored) {
+  const Size size = stored.x.size();
+  const auto a = std::make_unique<EdgeBatch>(), b = std::make_unique<EdgeBatch>();
+  bool same = source.size() == size;
+  for (std::int32_t y = 0; y < size.height && same; ++y) {
+    for (std::int32_t x = 0; x < size.width && same; ++x) {
+      const PixelGradient gradient = source.at(x, y);
+      same = gradient.dx == stored.x.at(x, y) && gradient.dy == stored.y.at(x, y);
+      a->count = b->count = 0;
+      read_edge({source, source}, x, y, *a);
+      read_edge(EdgeSources(stored), x, y, *b);
+      same = same && a->dx[0] == b->dx[0] && a->dy[0] == b->dy[0];
+      for (std::size_t k = 0; k < EdgeBatch::around; ++k)
+        same = same && a->near_dx[k][0] == b->near_dx[k][0] && a->near_dy[k][0] == b->near_dy[k][0];
+    }
+  }
+  return same;
 }
 
 }  // namespace
@@ -64,13 +86,15 @@ TEST_CASE("the planes are Canny's with every set of kernels") {
       CHECK(planes.result.strong == expected.strong);
       CHECK(planes.result.low == expected.low);
       CHECK(planes.result.high == expected.high);
-      REQUIRE(planes.detect(gray, options, kernels, Blurred::dropped) == expected.status);
-      CHECK(same<std::uint8_t>(planes.to_pixels(), edges));
-      CHECK(same<std::int16_t>(planes.dx, canny.gradient_x()));
-      CHECK(same<std::int16_t>(planes.dy, canny.gradient_y()));
-      REQUIRE(planes.detect(gray, options, kernels, Blurred::dropped, Wanted::gradient) == expected.status);
-      CHECK(same<std::int16_t>(planes.dx, canny.gradient_x()));
-      CHECK(same<std::int16_t>(planes.dy, canny.gradient_y()));
+      const GradientField stored{canny.gradient_x(), canny.gradient_y(), {}};
+      for (const Wanted wanted : {Wanted::edges, Wanted::gradient}) {
+        REQUIRE(planes.detect(gray, options, kernels, Kept::blurred, wanted) == expected.status);
+        if (wanted == Wanted::edges) CHECK(same<std::uint8_t>(planes.to_pixels(), edges));
+        CHECK(same<std::uint8_t>(planes.blurred, canny.blurred()));
+        const bool by_stages = options.thresholds == CannyThresholds::automatic;
+        CHECK(planes.gradients().is_stored() == (by_stages || options.aperture != 3));
+        CHECK(same_gradients(planes.gradients(), stored));
+      }
     }
   }
 }
