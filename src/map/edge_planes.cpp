@@ -51,6 +51,13 @@ void fetch_row(const detail::RowRing<T>& ring, std::int32_t y) {
                  static_cast<std::int32_t>(ring.stride * sizeof(T)));
 }
 
+void fetch_kept(const detail::CannyRowMemory& rows, Kept kept, std::int32_t y) {
+  fetch_row(rows.blurred, y);
+  if (kept == Kept::blurred) return;
+  fetch_row(rows.dx, y);
+  fetch_row(rows.dy, y);
+}
+
 template <class T>
 ImageView<const T> all_rows(const detail::RowRing<T>& ring, Size size) {
   return {ring.row(0), size, static_cast<std::ptrdiff_t>(ring.stride * sizeof(T))};
@@ -123,15 +130,11 @@ Status EdgePlanes::by_rows(GrayView gray, const CannyOptions& options, const Can
   for (std::int32_t y = 0; y < size.height; ++y) {
     if (const std::int32_t soon = y + fetched_rows_ahead; soon < size.height) {
       fetch_to_read(gray.row(soon), size.width);
-      fetch_row(memory.rows.blurred, soon);
-      if (kept == Kept::gradient) {
-        fetch_row(memory.rows.dx, soon);
-        fetch_row(memory.rows.dy, soon);
-      }
+      fetch_kept(memory.rows, kept, soon);
     }
     recipe.push(gray.row(y));
-    if (wanted == Wanted::gradient) {
-      while (recipe.next_gradient()) {
+    if (wanted == Wanted::no_edges) {
+      while (kept == Kept::gradient ? recipe.next_gradient() : recipe.next_blurred()) {
       }
       continue;
     }

@@ -21,8 +21,8 @@ enum class Kept : std::uint8_t {
   blurred,   ///< this alone, where single gradients can be made from it anew; else as `gradient`
 };
 
-/// Whether edges are asked for, or the gradient alone.
-enum class Wanted : std::uint8_t { edges, gradient };
+/// Whether edges are asked for, or only what is kept.
+enum class Wanted : std::uint8_t { edges, no_edges };
 
 /// What Canny leaves behind: edges, and of the stages before them those that a line map reads again.
 class EdgePlanes {

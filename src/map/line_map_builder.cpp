@@ -81,7 +81,7 @@ Status detect_edges(const Picture& picture, const LineMapOptions& options, const
   // Where stretching has cut nothing off, the stretched picture has its edges where the given one has them.
   edges.as_given = !picture.clipped;
   if (picture.clipped) {
-    const Status status = edges.given.detect(picture.gray, options.canny, kernels, kept, Wanted::gradient);
+    const Status status = edges.given.detect(picture.gray, options.canny, kernels, kept, Wanted::no_edges);
     if (status != Status::ok) return status;
   }
   return edges.planes.detect(picture.stretched, options.canny, kernels, kept);

@@ -50,6 +50,9 @@ class CannyRowRecipe {
   /// Makes the next row of the gradient, where nobody wants classes: in place of `next`, for a whole picture.
   bool next_gradient() noexcept { return gradient_rows_ < size_.height && make_gradient_row(); }
 
+  /// The same where nobody wants more than the blurred picture.
+  bool next_blurred() noexcept { return blurred_rows_ < size_.height && make_blurred_row(); }
+
   std::int32_t rows_in() const noexcept { return gray_rows_; }
   std::int32_t rows_out() const noexcept { return class_rows_; }
   std::uint32_t strong() const noexcept { return strong_; }
