@@ -56,12 +56,12 @@ void read_sides(const WallLine& line, const LineSampler& blurred, std::span<cons
 }
 
 void sample_track(const WallLine& line, const LineSampler& blurred, Track& track) {
-  const auto count = static_cast<std::size_t>((line.length() + 2 * search) / pace) + 1;
-  track.places.resize(count);
-  for (std::size_t i = 0; i < count; ++i)
-    track.places[i] = line.begin - search + pace * static_cast<double>(i);
-  track.dark.resize(count);
-  track.light.resize(count);
+  const auto count = static_cast<std::int32_t>((line.length() + 2 * search) / pace) + 1;
+  track.places.resize(static_cast<std::size_t>(count));
+  double* const places = track.places.data();
+  for (std::int32_t i = 0; i < count; ++i) places[i] = line.begin - search + pace * i;
+  track.dark.resize(track.places.size());
+  track.light.resize(track.places.size());
   read_sides(line, blurred, track.places, track.dark, track.light);
 }
 
@@ -82,11 +82,11 @@ void judge(Track& track) {
   const double light = median_of_some(std::span(track.light).subspan(from, count));
   track.half = 0.5 * (dark + light);
   track.scale = light > dark ? 1 / (light - dark) : 0;
-  track.state.clear();
+  track.state.resize(track.dark.size());
   for (std::size_t i = 0; i < track.dark.size(); ++i) {
     const bool is_dark = (track.half - track.dark[i]) * track.scale > 0;
     const bool is_light = (track.light[i] - track.half) * track.scale > 0;
-    track.state.push_back(!is_dark ? State::hole : is_light ? State::wall : State::blocked);
+    track.state[i] = !is_dark ? State::hole : is_light ? State::wall : State::blocked;
   }
 }
 
@@ -111,8 +111,8 @@ std::vector<Piece> pieces_of(const WallLine& line, const Track& track, const Ext
     } else if (track.state[i] == State::blocked) {
       ++blocks;
     } else {
-      const bool near = pace * static_cast<double>(holes) <= options.max_gap &&
-                        pace * static_cast<double>(blocks) <= through;
+      const bool near = holes + blocks == 0 || (pace * static_cast<double>(holes) <= options.max_gap &&
+                                                pace * static_cast<double>(blocks) <= through);
       if (!pieces.empty() && near) {
         pieces.back().last = i;
       } else {

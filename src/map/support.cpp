@@ -226,18 +226,30 @@ std::vector<Run> runs_of(SolidAreas& solid, int from, const WallLine& line, Pixe
   const double middle = line.axis ? 0 : -1, first = line.begin + 0.5 * pace;
   const std::vector<std::uint8_t>& grays = pixels.read(line, first, pace, middle);
   bool was_wall = false, was_core = false;
+  std::size_t last = 0;  // that was wall
+  const auto place = [&](std::size_t i) { return first + pace * static_cast<double>(i); };
+  const auto end_run = [&] {
+    if (was_wall) runs.back().end = place(last) + 0.5 * pace;
+  };
   for (std::size_t i = 0; i < grays.size(); ++i) {
-    const double s = first + pace * static_cast<double>(i);
-    const bool core = 255 - grays[i] >= from && (was_core || is_wall(solid, line, s, middle));
+    const bool dark = 255 - grays[i] >= from;
+    if (dark && was_core) {
+      last = i;
+      continue;
+    }
+    const double s = place(i);
+    const bool core = dark && is_wall(solid, line, s, middle);
     const bool wall = core || wall_near(solid, line, s, middle);
-    if (wall && was_wall) {
-      runs.back().end = s + 0.5 * pace;
-    } else if (wall) {
-      runs.push_back({s - 0.5 * pace, s + 0.5 * pace});
+    if (!wall) {
+      end_run();
+    } else {
+      last = i;
+      if (!was_wall) runs.push_back({s - 0.5 * pace, s + 0.5 * pace});
     }
     was_core = core;
     was_wall = wall;
   }
+  end_run();
   return runs;
 }
 
