@@ -91,18 +91,6 @@ Raster::Raster(std::int32_t columns, std::int32_t rows)
       pitch(static_cast<std::size_t>(columns) / 64 + 1),
       words(static_cast<std::size_t>(rows) * pitch) {}
 
-void Raster::set(std::int32_t y, std::int32_t begin, std::int32_t end, bool value) {
-  std::uint64_t* const words_of_row = row(y);
-  for (std::int32_t x = begin; x < end;) {
-    const std::int32_t next = std::min((x / 64 + 1) * 64, end);
-    const std::uint64_t some = ~std::uint64_t{0} >> static_cast<unsigned>(64 - (next - x));
-    const std::uint64_t bits = some << (static_cast<unsigned>(x) % 64);
-    std::uint64_t& word = words_of_row[x / 64];
-    word = value ? word | bits : word & ~bits;
-    x = next;
-  }
-}
-
 Raster raster_for(std::span<const ExtentPiece> pieces, double cell, double margin) {
   ExtentPiece all = pieces.front();
   for (const ExtentPiece& p : pieces) {
@@ -127,11 +115,9 @@ void paint(Raster& raster, const ExtentPiece& piece) {
   const double b0 = (piece.b0 - raster.origin.b) * cells, b1 = (piece.b1 - raster.origin.b) * cells;
   const double a = (a0 + a1) / 2, b = (b0 + b1) / 2;
   const std::int32_t first = nearest_border(b0), last = std::max(nearest_border(b1), first + 1);
-  double left = a0, right = a1;
   for (std::int32_t y = first; y < last; ++y) {
+    double left = a0, right = a1;
     if (piece.oblique) {
-      left = a0;
-      right = a1;
       for (const ExtentStrip& strip : piece.strips) {
         const double middle = a + strip.lean * (y + 0.5 - b), half = strip.half * cells;
         left = std::clamp(middle - half, left, a1);

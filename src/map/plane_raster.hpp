@@ -31,7 +31,16 @@ struct Raster {
     return (row(y)[x / 64] >> (static_cast<unsigned>(x) % 64) & 1U) != 0;
   }
   /// Covers the cells from begin to end of row y, or uncovers them.
-  void set(std::int32_t y, std::int32_t begin, std::int32_t end, bool value);
+  void set(std::int32_t y, std::int32_t begin, std::int32_t end, bool value) {
+    std::uint64_t* const words_of_row = row(y);
+    for (; begin < end; begin = begin / 64 * 64 + 64) {
+      // Of the word: from `begin` on, without those beyond the end.
+      std::uint64_t bits = ~std::uint64_t{0} << (static_cast<std::uint32_t>(begin) % 64);
+      if (end < begin / 64 * 64 + 64) bits &= ~(~std::uint64_t{0} << (static_cast<std::uint32_t>(end) % 64));
+      std::uint64_t& word = words_of_row[begin / 64];
+      word = value ? word | bits : word & ~bits;
+    }
+  }
 };
 
 /// Empty, with room for the pieces and `margin` metres around them. At most 2^24 cells: they grow by powers
