@@ -72,7 +72,7 @@ void copy_rim(const detail::RowRing<std::uint8_t>& blurred, Size size) {
   std::copy_n(last, bytes, last + blurred.stride);
 }
 
-/// A library without instructions for it calls a function to count bits: here they are counted in place.
+/// std::popcount calls a function where a processor may lack the instruction.
 std::uint32_t bits_in(std::uint64_t x) {
   x -= x >> 1U & 0x5555555555555555U;
   x = (x & 0x3333333333333333U) + (x >> 2U & 0x3333333333333333U);
@@ -97,9 +97,9 @@ Status EdgePlanes::detect(GrayView gray, const CannyOptions& options, const Kern
   if (valid != Status::ok) return valid;
   const CannyRowOptions rows{.kernels = kernels.canny_rows};
   const bool may = detail::CannyRowRecipe::check(gray.size(), options, rows) == Status::ok;
-  return may ? by_rows(gray, options, *kernels.canny_rows, options.aperture == 3 ? kept : Kept::gradient,
-                       wanted)
-             : by_stages(gray, options);
+  if (!may) return by_stages(gray, options);
+  if (options.aperture != 3) kept = Kept::gradient;  // single ones are made with side 3 alone
+  return by_rows(gray, options, *kernels.canny_rows, kept, wanted);
 }
 
 void EdgePlanes::reserve(std::size_t bytes) {

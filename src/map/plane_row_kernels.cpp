@@ -15,8 +15,8 @@ constexpr std::int32_t squares_at_once = 8;
 /// The lowest and the highest label of each square, 0 where it has none.
 struct SquareLabels {
   std::uint16_t lowest[PlaneRow::most_squares], highest[PlaneRow::most_squares];
-  std::uint8_t
-      goes_on[PlaneRow::most_squares];  ///< 1: it and the one before have the same one label, or none
+  /// 1: the square and the one before have the same one label, or none; else 0.
+  std::uint8_t goes_on[PlaneRow::most_squares];
 };
 
 struct ColumnLabels {
