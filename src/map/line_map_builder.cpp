@@ -75,9 +75,17 @@ struct Edges {
   }
 };
 
+/// The gradient is kept where it votes, and in pictures so small that it stays in a processor's cache: there
+/// it takes longer to make it anew.
+Kept kept_of(Size size, const LineMapOptions& options) {
+  constexpr std::int64_t small_picture = std::int64_t{1} << 19U;  // pixels
+  const bool is_small = std::int64_t{size.width} * size.height <= small_picture;
+  return options.hough || is_small ? Kept::gradient : Kept::blurred;
+}
+
 Status detect_edges(const Picture& picture, const LineMapOptions& options, const KernelSet& kernels,
                     Edges& edges) {
-  const Kept kept = options.hough ? Kept::gradient : Kept::blurred;
+  const Kept kept = kept_of(picture.gray.size(), options);
   // Where stretching has cut nothing off, the stretched picture has its edges where the given one has them.
   edges.as_given = !picture.clipped;
   if (picture.clipped) {
@@ -168,7 +176,7 @@ Result<LineMapResult> LineMapBuilder::build_coarse(GrayView gray) {
   }
   // Step 2.
   EdgePlanes& planes = room_->edges.planes;
-  const Status status = planes.detect(seen, options.canny, kernels_, Kept::blurred);
+  const Status status = planes.detect(seen, options.canny, kernels_, kept_of(seen.size(), options));
   if (status != Status::ok) return failure_of("the edge detector", status);
   out.report.picture = PictureKind::automatic;
   out.report.canny = planes.result;

@@ -41,6 +41,31 @@ TEST_CASE("a builder used again and again gives the maps of a new one") {
   }
 }
 
+TEST_CASE("lines are the same where gradients are kept and where they are made anew") {
+  // With 24 rows more a picture has more than half a million pixels; the origin lies in the middle.
+  constexpr double lower = 12;
+  for (const bool refine : {true, false}) {
+    for (const double thickness : {2.0, 8.0}) {
+      const auto kept = build_line_map(plan_of({700, 740}, thickness), {.refine = refine});
+      const auto made = build_line_map(plan_of({700, 764}, thickness), {.refine = refine});
+      REQUIRE(kept);
+      REQUIRE(made);
+      REQUIRE(!kept->map.lines.empty());
+      REQUIRE(made->map.lines.size() == kept->map.lines.size());
+      for (std::size_t i = 0; i < kept->map.lines.size(); ++i) {
+        const auto &a = kept->map.lines[i].segments, &b = made->map.lines[i].segments;
+        REQUIRE(a.size() == b.size());
+        for (std::size_t k = 0; k < a.size(); ++k) {
+          CHECK(b[k].x0 == Approx(a[k].x0));
+          CHECK(b[k].x1 == Approx(a[k].x1));
+          CHECK(b[k].y0 == Approx(a[k].y0 + lower));
+          CHECK(b[k].y1 == Approx(a[k].y1 + lower));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("without refinement the faces of thick bars are lines, each once") {
   const auto built = build_line_map(plan_of({180, 120}, 8), {.refine = false});
   REQUIRE(built);
