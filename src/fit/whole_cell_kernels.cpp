@@ -7,21 +7,21 @@ namespace {
 
 constexpr std::int32_t at_once = 16;
 
-/// The coefficients of one surface for all cells.
-struct SameSurface {
+/// The coefficients of one surface: that of all cells, or one cell's own.
+struct OneSurface {
   float c, x, y, xx, xy, yy;
 
-  SameSurface(const DepthSurfaces& s, std::int32_t k) noexcept
+  OneSurface(const DepthSurfaces& s, std::int32_t k) noexcept
       : c(s.c[k]), x(s.x[k]), y(s.y[k]), xx(s.xx[k]), xy(s.xy[k]), yy(s.yy[k]) {}
-  const SameSurface& of(std::int32_t /*cell*/) const noexcept { return *this; }
+  const OneSurface& of(std::int32_t /*cell*/) const noexcept { return *this; }
 };
 
-/// Those of each cell's own one.
+/// Where cells have different ones.
 struct OwnSurfaces {
   const DepthSurfaces& all;
   const std::int32_t* plane;
 
-  SameSurface of(std::int32_t cell) const noexcept { return {all, plane[cell] > 0 ? plane[cell] : 0}; }
+  OneSurface of(std::int32_t cell) const noexcept { return {all, plane[cell] > 0 ? plane[cell] : 0}; }
 };
 
 /// Some cells and the planes that they have, −1 where they have none.
@@ -41,7 +41,7 @@ struct LabelledCells {
     const float *n = row(0), *u = row(1), *v = row(2), *q = row(3), *uu = row(4), *uv = row(5), *vv = row(6),
                 *uq = row(7), *vq = row(8), *qq = row(9);
     for (std::int32_t i = 0; i < count; ++i) {
-      const SameSurface s = surfaces.of(i);
+      const OneSurface s = surfaces.of(i);
       const float a = (s.x + 2 * s.xx * u[i]) + s.xy * v[i], b = (s.y + s.xy * u[i]) + 2 * s.yy * v[i];
       const float bend = s.xx * u[i] * u[i] + s.xy * u[i] * v[i] + s.yy * v[i] * v[i];
       const float r = q[i] - ((s.c + s.x * u[i] + s.y * v[i]) + bend);
@@ -70,7 +70,7 @@ void mark_whole(const DepthWholeCells& task, const DepthSurfaces& surfaces, std:
     }
     if (some == 0) continue;
     if (differ == 0) {
-      cells.find_squares(SameSurface(surfaces, plane), count);
+      cells.find_squares(OneSurface(surfaces, plane), count);
     } else {
       cells.find_squares(OwnSurfaces{surfaces, cells.plane}, count);
     }

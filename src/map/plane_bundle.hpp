@@ -38,7 +38,7 @@ struct BundleSums {
   static constexpr std::int32_t one = middle + 1;  ///< 1 from the middle
 
   Eight sum = {};
-  BundlePlace places = {};  ///< of z, and how many
+  BundlePlace places = {};  ///< of x, y, z and 1 for each reading
   std::int64_t residual = 0;
 
   std::int32_t readings() const noexcept { return places[3]; }

@@ -12,7 +12,7 @@ PlaneSearch plane_search(RansacSearch& search) noexcept {
     count = result.candidates;
     return result.status;
   };
-  // Every window is searched until nothing is left in it: once is enough.
+  // Every window was searched until no plane was left in it: a second search hardly finds more.
   return {&search, run, 1};
 }
 
