@@ -181,11 +181,13 @@ struct Level {
     const std::int32_t groups = (work.cells.size(level).width + at_once - 1) / at_once;
     return work.rough[static_cast<std::size_t>(y * groups + x / at_once)];
   }
-  /// The label that was found, with what is known of it.
-  std::uint16_t with_marks(const DepthCellPlanes& found, std::size_t i) const noexcept {
-    const std::uint16_t label = found.label[i];
-    const std::uint16_t marked = is_finest() ? fresh(label) : with_trust(label, trust_in(found.mean[i]));
-    return label == 0 ? label : marked;
+  /// The labels that were found, with what is known of them.
+  void mark(DepthCellPlanes& found) const noexcept {
+    for (std::size_t i = 0; i < at_once; ++i) {
+      const std::uint16_t label = found.label[i];
+      const std::uint16_t marked = is_finest() ? fresh(label) : with_trust(label, trust_in(found.mean[i]));
+      found.label[i] = label == 0 ? label : marked;
+    }
   }
   static std::uint16_t fresh(std::uint16_t label) noexcept {
     return static_cast<std::uint16_t>(label | CellLabeller::fresh);
@@ -198,7 +200,8 @@ struct Level {
     task.planes = static_cast<std::int32_t>(work.planes.size());
     DepthCellPlanes found;
     work.kernels.choose_planes(task, surfaces, found);
-    for (std::size_t i = 0; i < undecided.count; ++i) *undecided.label[i] = with_marks(found, i);
+    mark(found);
+    for (std::size_t i = 0; i < undecided.count; ++i) *undecided.label[i] = found.label[i];
     undecided.count = 0;
   }
   void write_row(Group& group, std::int32_t x, std::int32_t y) const noexcept {
@@ -216,7 +219,8 @@ struct Level {
     DepthCellPlanes found;
     work.kernels.choose_planes(task, surfaces, found);
     const std::uint32_t later = task.open & bits_of_undecided(found);
-    for_bits(task.open & ~later, [&](std::uint32_t i) noexcept { out[i] = with_marks(found, i); });
+    mark(found);
+    write_some(found.label, task.open & ~later, work.cells.size(level).width - x, out);
     for_bits(later, [&](std::uint32_t i) noexcept {
       undecided.add(work.cells.rows(level, place + i), out + i);
       if (undecided.is_full()) decide();
@@ -249,7 +253,7 @@ struct Level {
     for (std::int32_t Y = 0; Y < coarse.height; ++Y) {
       for (std::int32_t X = 0; X < coarse.width; X += parents_at_once) label_below(X, Y);
     }
-    for (std::uint16_t& marked : labels_of(level + 1)) marked = label_of(marked);
+    clear_bits(labels_of(level + 1), LabelsAround::mark);
   }
   void label() const noexcept {
     if (level + 1 == DepthCells::levels) {

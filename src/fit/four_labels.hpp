@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 
 namespace straightedge::detail {
 
@@ -17,30 +19,26 @@ inline std::uint64_t four(const std::uint16_t* labels) noexcept {
   return together;
 }
 
-/// Up to four labels beside one another; those that are missing are like one that is there.
-inline std::uint64_t up_to_four(const std::uint16_t* labels, std::int32_t count) noexcept {
-  if (count == 4) return four(labels);
-  if (count == 2) {
-    std::uint32_t two = 0;
-    std::memcpy(&two, labels, sizeof two);
-    return two | std::uint64_t{two} << 32U;
+/// Takes bits off all labels.
+inline void clear_bits(std::span<std::uint16_t> labels, std::uint16_t bits) noexcept {
+  const auto kept = static_cast<std::uint16_t>(~bits);
+  std::size_t i = 0;
+  for (; i + 4 <= labels.size(); i += 4) {
+    const std::uint64_t together = four(&labels[i]) & kept * four_ones;
+    std::memcpy(&labels[i], &together, sizeof together);
   }
-  std::uint64_t together = *labels * four_ones;
-  for (std::int32_t i = 1; i < count; ++i) {
-    together &= ~(std::uint64_t{0xFFFF} << (16 * i));
-    together |= std::uint64_t{labels[i]} << (16 * i);
-  }
-  return together;
+  for (; i < labels.size(); ++i) labels[i] &= kept;
 }
 
-/// Writes one label, up to four times.
-inline void set_up_to_four(std::uint16_t* labels, std::int32_t count, std::uint16_t label) noexcept {
-  const std::uint64_t together = label * four_ones;
-  if (count == 4) {
-    std::memcpy(labels, &together, sizeof together);
-    return;
+/// Writes those of sixteen labels whose bits are set, of the first `count`. Without a branch for each: along
+/// borders nobody can foresee them.
+inline void write_some(const std::uint16_t* labels, std::uint32_t bits, std::int32_t count,
+                       std::uint16_t* to) noexcept {
+  constexpr std::uint16_t all = 0xFFFF;
+  for (std::int32_t i = 0; i < (count < 16 ? count : 16); ++i) {
+    const auto mask = static_cast<std::uint16_t>((bits >> static_cast<std::uint32_t>(i) & 1U) * all);
+    to[i] = static_cast<std::uint16_t>((to[i] & ~mask) | (labels[i] & mask));
   }
-  for (std::int32_t i = 0; i < count; ++i) labels[i] = label;
 }
 
 /// The top bits of those that are not 0; none may have that bit.

@@ -8,6 +8,7 @@
 
 #include "depth_surfaces.hpp"
 #include "four_labels.hpp"
+#include "label_squares.hpp"
 #include "labels_around.hpp"
 #include "pixel_choice.hpp"
 
@@ -27,6 +28,8 @@ constexpr std::uint16_t none = 0;  // no plane anywhere around
 constexpr std::uint16_t inner_border = DepthWholeCells::inner_border;
 // Beside that plane: all of the cell is its.
 constexpr std::uint16_t whole = DepthWholeCells::mark;
+
+constexpr std::uint16_t any_label = 0xFFFF;
 
 struct Pixels {
   const PixelLabeller& work;
@@ -54,55 +57,6 @@ struct Pixels {
   void give_all(std::int32_t left, std::int32_t top, std::int32_t side, std::uint16_t label) const noexcept {
     for (std::int32_t y = top; y < top + side; ++y) std::fill_n(labels.row(y) + left, side, label);
     count(side * side, label);
-  }
-};
-
-/// Sums of the planes' own cells, in squares as large as they come.
-struct CellMoments {
-  const PixelLabeller& work;
-  std::span<InverseDepthMoments> moments;
-
-  /// Adds square (x, y) of `doublings` levels above the finest if all of it has one label.
-  bool add(std::int32_t x, std::int32_t y, int doublings) const noexcept {
-    const int level = work.cells.finest() + doublings;
-    const Size size = work.cells.size(work.cells.finest()), squares = work.cells.size(level);
-    const std::int32_t left = x << doublings, right = std::min((x + 1) << doublings, size.width),
-                       top = y << doublings, bottom = std::min((y + 1) << doublings, size.height);
-    const std::uint16_t* row = work.cell_labels.data() + static_cast<std::ptrdiff_t>(top) * size.width + left;
-    const std::uint16_t first = *row;
-    std::uint64_t differ = 0;
-    for (std::int32_t j = top; j < bottom; ++j, row += size.width)
-      differ |= up_to_four(row, right - left) ^ (first * four_ones);
-    if (differ != 0) return false;
-    add_cell(level, static_cast<std::ptrdiff_t>(y) * squares.width + x, first);
-    return true;
-  }
-  void add_cell(int level, std::ptrdiff_t place, std::uint16_t label) const noexcept {
-    if (label != 0) moments[label - 1U].add(work.cells.moments(level, static_cast<std::size_t>(place)));
-  }
-  void add_all() const noexcept {
-    const int most = std::min(2, DepthCells::levels - 1 - work.cells.finest());
-    const Size size = work.cells.size(work.cells.finest() + most);
-    for (std::int32_t y = 0; y < size.height; ++y) {
-      for (std::int32_t x = 0; x < size.width; ++x) {
-        if (!add(x, y, most)) add_parts(x, y, most - 1);
-      }
-    }
-  }
-  void add_parts(std::int32_t X, std::int32_t Y, int doublings) const noexcept {
-    const Size size = work.cells.size(work.cells.finest() + doublings),
-               smallest = work.cells.size(work.cells.finest());
-    for (std::int32_t y = 2 * Y; y < std::min(2 * Y + 2, size.height); ++y) {
-      for (std::int32_t x = 2 * X; x < std::min(2 * X + 2, size.width); ++x) {
-        if (add(x, y, doublings) || doublings == 0) continue;
-        for (std::int32_t j = 2 * y; j < std::min(2 * y + 2, smallest.height); ++j) {
-          for (std::int32_t i = 2 * x; i < std::min(2 * x + 2, smallest.width); ++i) {
-            const std::ptrdiff_t place = static_cast<std::ptrdiff_t>(j) * smallest.width + i;
-            add_cell(work.cells.finest(), place, work.cell_labels[static_cast<std::size_t>(place)]);
-          }
-        }
-      }
-    }
   }
 };
 
@@ -215,7 +169,7 @@ struct CellRow {
     for (const float u : {left, left + (across - 1)}) {
       for (const float v : {top, top + (across - 1)}) nearer += value_at(a, u, v) > value_at(b, u, v) ? 1 : 0;
     }
-    return nearer != 0 && nearer != 4;
+    return (nearer != 0) & (nearer != 4);
   }
 };
 
@@ -227,7 +181,10 @@ void PixelLabeller::label(ImageView<std::uint16_t> labels, std::span<InverseDept
   const Pixels pixels{*this, labels, moments};
   PixelChoice choice(*this, labels, moments);
   fill_surfaces(planes, cells, surfaces);
-  CellMoments{*this, moments}.add_all();
+  LabelSquares squares(cells, {cell_labels.data(), cells.size(cells.finest())}, any_label, false);
+  squares.for_each([&](const LabelSquare& square) noexcept {
+    moments[square.label - 1U].add(cells.moments(square.level, square.place));
+  });
   // The means, while n counts pixels.
   for (InverseDepthMoments& m : moments) {
     if (m.n > 0) m = times(m, 1 / m.n);

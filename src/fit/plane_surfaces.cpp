@@ -7,6 +7,7 @@
 
 #include "cell_labels.hpp"
 #include "four_labels.hpp"
+#include "label_squares.hpp"
 
 namespace straightedge::detail {
 namespace {
@@ -29,80 +30,11 @@ constexpr double usual_radius_m = 40;
 
 constexpr std::uint16_t fresh = CellLabeller::fresh;
 
-/// Cells [x, right) x [y, bottom).
-struct CellBox {
-  std::int32_t x, y;
-  Size end;
-};
-
-template <class Visit>
-void for_cells(const CellBox& box, const Visit& visit) noexcept {
-  for (std::int32_t y = box.y; y < box.end.height; ++y) {
-    for (std::int32_t x = box.x; x < box.end.width; ++x) visit(x, y);
-  }
+/// Readings and means of a cell, and of the one to the right of it if that counts: once or not at all.
+DepthCell mean_of(const DepthCell& a, const DepthCell& b, std::uint8_t times) noexcept {
+  const float more = b.n * static_cast<float>(times), n = a.n + more, share = more / n;
+  return {n, a.u + share * (b.u - a.u), a.v + share * (b.v - a.v), a.q + share * (b.q - a.q)};
 }
-
-/// The cells that a cell `doublings` levels above is made of.
-CellBox part(std::int32_t x, std::int32_t y, int doublings, Size size) noexcept {
-  const std::int32_t side = 1 << doublings;
-  return {x * side, y * side, {std::min((x + 1) * side, size.width), std::min((y + 1) * side, size.height)}};
-}
-
-struct FreshCells {
-  Size size;
-  std::span<std::uint16_t> labels;
-  enum Kind : std::uint8_t { none, same, mixed };
-
-  std::uint16_t* at(std::int32_t x, std::int32_t y) const noexcept {
-    return labels.data() + static_cast<std::ptrdiff_t>(y) * size.width + x;
-  }
-  /// Whether some of the cells are fresh, and then, whether all are and have one label.
-  Kind kind(const CellBox& box) const noexcept {
-    const std::uint16_t* row = at(box.x, box.y);
-    const std::uint16_t first = *row;
-    std::uint64_t differ = 0, some = 0;
-    for (std::int32_t j = box.y; j < box.end.height; ++j, row += size.width) {
-      const std::uint64_t labels_of_row = up_to_four(row, box.end.width - box.x);
-      differ |= labels_of_row ^ (first * four_ones);
-      some |= labels_of_row;
-    }
-    return (some & (fresh * four_ones)) == 0 ? none : differ == 0 ? same : mixed;
-  }
-  /// Their label; they are fresh no more.
-  std::uint16_t take(const CellBox& box) const noexcept {
-    const auto label = static_cast<std::uint16_t>(*at(box.x, box.y) & ~fresh);
-    for (std::int32_t y = box.y; y < box.end.height; ++y)
-      set_up_to_four(at(box.x, y), box.end.width - box.x, label);
-    return label;
-  }
-  /// Calls add(cell, label) for those that are fresh; two beside one another of one plane count as one. (What
-  /// counts as one has to touch: as one piece it may be taken off the sums again.)
-  template <class Add>
-  void take_pairs(const DepthCells& cells, const CellBox& box, const Add& add) const noexcept {
-    for (std::int32_t y = box.y; y < box.end.height; ++y) {
-      for (std::int32_t x = box.x; x < box.end.width; ++x) {
-        const std::uint16_t marked = *at(x, y);
-        if ((marked & fresh) == 0) continue;
-        const auto label = static_cast<std::uint16_t>(marked & ~fresh);
-        const auto place = static_cast<std::size_t>(at(x, y) - labels.data());
-        *at(x, y) = label;
-        DepthCell cell = cells.at(cells.finest(), place);
-        if (x + 1 < box.end.width && *at(x + 1, y) == marked) {
-          *at(++x, y) = label;
-          cell = mean_of(cell, cells.at(cells.finest(), place + 1));
-        }
-        add(cell, label);
-      }
-    }
-  }
-
- private:
-  /// Readings and means of both.
-  static DepthCell mean_of(const DepthCell& a, const DepthCell& b) noexcept {
-    const float n = a.n + b.n, share = b.n / n;
-    return {n, a.u + share * (b.u - a.u), a.v + share * (b.v - a.v), a.q + share * (b.q - a.q)};
-  }
-};
 
 }  // namespace
 
@@ -122,28 +54,15 @@ void PlaneSurfaces::add(const DepthCell& cell, QuadraticSums& sums) const noexce
 
 void PlaneSurfaces::add_fresh(const DepthCells& cells, std::span<std::uint16_t> cell_labels,
                               std::span<QuadraticSums> sums) const noexcept {
-  const int finest = cells.finest(), coarsest = std::min(finest + 2, DepthCells::levels - 1);
-  const FreshCells all{cells.size(finest), cell_labels};
-  /// False where cells differ.
-  const auto add_cell = [&](int level, std::int32_t x, std::int32_t y) noexcept {
-    const CellBox box = part(x, y, level - finest, all.size);
-    const FreshCells::Kind kind = all.kind(box);
-    if (kind != FreshCells::same) return kind == FreshCells::none;
-    const auto width = static_cast<std::size_t>(cells.size(level).width);
-    add(cells.at(level, static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)),
-        sums[all.take(box) - 1U]);
-    return true;
-  };
-  // The cells of a larger one that are all of one plane count as one: there are far fewer of those.
-  for_cells({0, 0, cells.size(coarsest)}, [&](std::int32_t X, std::int32_t Y) noexcept {
-    if (add_cell(coarsest, X, Y)) return;
-    for_cells(part(X, Y, coarsest - finest - 1, cells.size(finest + 1)), [&](std::int32_t x,
-                                                                             std::int32_t y) noexcept {
-      if (add_cell(finest + 1, x, y)) return;
-      all.take_pairs(cells, part(x, y, 1, all.size),
-                     [&](const DepthCell& cell, std::uint16_t of) noexcept { add(cell, sums[of - 1U]); });
-    });
+  // What counts as one has to touch: as one piece it may be taken off the sums again.
+  LabelSquares squares(cells, {cell_labels.data(), cells.size(cells.finest())}, fresh, true);
+  squares.for_each([&](const LabelSquare& square) noexcept {
+    const DepthCell left = cells.at(square.level, square.place),
+                    right = cells.at(square.level, square.place + square.second);
+    const auto label = static_cast<std::uint16_t>(square.label & ~fresh);
+    add(mean_of(left, right, square.second), sums[label - 1U]);
   });
+  clear_bits(cell_labels, fresh);
 }
 
 bool PlaneSurfaces::solve(const QuadraticSums& sums, QuadraticFit& found) const noexcept {
