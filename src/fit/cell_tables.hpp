@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,7 +13,8 @@ namespace straightedge::detail {
 
 /// The entry of two planes in a table of pairs.
 inline std::uint32_t& of_pair(std::span<std::uint32_t> contacts, std::size_t i, std::size_t j) noexcept {
-  return i < j ? contacts[j * (j - 1) / 2 + i] : contacts[i * (i - 1) / 2 + j];
+  const std::size_t low = std::min(i, j), high = std::max(i, j);
+  return contacts[high * (high - 1) / 2 + low];
 }
 
 /// How many pairs of neighbouring cells belong to planes i and j.

@@ -39,15 +39,14 @@ struct LabelsAround {
  private:
   /// Each label that is left, and no more of it.
   void find(std::array<std::uint64_t, 3>& rows) noexcept {
-    for (std::size_t first = 0; first < rows.size(); ++first) {
-      while (rows[first] != 0) {
-        const auto same = static_cast<std::uint16_t>(rows[first] >> (lowest_bit(rows[first]) & 0x30U));
-        for (std::size_t i = first; i < rows.size(); ++i) {
-          const std::uint64_t equal = ~not_zero(rows[i] ^ same * four_ones) >> 15U & four_ones;
-          rows[i] &= ~(equal * 0xFFFFU);
-        }
-        labels[count++] = same;
+    while ((rows[0] | rows[1] | rows[2]) != 0) {
+      const std::uint64_t below = rows[1] != 0 ? rows[1] : rows[2], first = rows[0] != 0 ? rows[0] : below;
+      const auto same = static_cast<std::uint16_t>(first >> (lowest_bit(first) & 0x30U));
+      for (std::uint64_t& row : rows) {
+        const std::uint64_t equal = ~not_zero(row ^ same * four_ones) >> 15U & four_ones;
+        row &= ~(equal * 0xFFFFU);
       }
+      labels[count++] = same;
     }
   }
 };

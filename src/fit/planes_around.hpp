@@ -58,21 +58,24 @@ struct PlanesAround {
   static constexpr std::size_t words = 3;  // of four labels each: a row
   using Rows = std::array<std::uint64_t, 3 * words>;
 
-  /// Finds the planes, in the order of rows, each with its columns.
+  /// Finds the planes, in the order of rows, each with its columns. Every plane is looked for in all words:
+  /// how many have it nobody can foresee.
   void find(Rows& rows) noexcept {
-    for (std::size_t first = 0; first < rows.size(); ++first) {
-      while (rows[first] != 0) {
-        const auto shift = lowest_bit(rows[first]) & 0x30U;
-        const auto same = static_cast<std::uint16_t>(rows[first] >> shift);
-        std::uint32_t columns = 0;
-        for (std::size_t i = first; i < rows.size(); ++i) {
-          const std::uint64_t equal = ~not_zero(rows[i] ^ same * four_ones) >> 15U & four_ones;
-          columns |= lowest_of(equal) << (4 * (i % words));
-          rows[i] &= ~(equal * 0xFFFFU);
-        }
-        label[count] = same;
-        near[count++] = columns;
+    std::uint32_t left = 0;  // words with planes that are not found yet
+    for (std::size_t i = 0; i < rows.size(); ++i) left |= static_cast<std::uint32_t>(rows[i] != 0) << i;
+    while (left != 0) {
+      const std::uint64_t first = rows[lowest_bit(left)];
+      const auto same = static_cast<std::uint16_t>(first >> (lowest_bit(first) & 0x30U));
+      std::array<std::uint64_t, words> equal{};
+      left = 0;
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        const std::uint64_t here = ~not_zero(rows[i] ^ same * four_ones) >> 15U & four_ones;
+        equal[i % words] |= here;
+        rows[i] &= ~(here * 0xFFFFU);
+        left |= static_cast<std::uint32_t>(rows[i] != 0) << i;
       }
+      label[count] = same;
+      near[count++] = lowest_of(equal[0]) | lowest_of(equal[1]) << 4U | lowest_of(equal[2]) << 8U;
     }
   }
 };
