@@ -211,22 +211,29 @@ struct Level {
     const auto place = static_cast<std::size_t>(out - labels_of(level).data());
     DepthCellTask& task = group.task;
     task.at = work.cells.rows(level, place);
-    for_bits(group.settled & free, [&](std::uint32_t i) noexcept {
-      if (task.at.first[i] >= task.least) out[i] = is_finest() ? fresh(group.label[i]) : group.label[i];
-    });
+    const std::int32_t count = work.cells.size(level).width - x;
+    if ((group.settled & free) != 0) {
+      // Those without readings enough stay 0.
+      std::array<std::uint16_t, at_once> settled;
+      for (std::size_t i = 0; i < at_once; ++i) {
+        const std::uint16_t label = is_finest() ? fresh(group.label[i]) : group.label[i];
+        settled[i] = task.at.first[i] >= task.least ? label : std::uint16_t{0};
+      }
+      write_some(settled.data(), group.settled & free, count, out);
+    }
     task.open = group.open & free;
     if (task.open == 0) return;
     DepthCellPlanes found;
     work.kernels.choose_planes(task, surfaces, found);
     const std::uint32_t later = task.open & bits_of_undecided(found);
     mark(found);
-    write_some(found.label, task.open & ~later, work.cells.size(level).width - x, out);
+    write_some(found.label, task.open & ~later, count, out);
     for_bits(later, [&](std::uint32_t i) noexcept {
       undecided.add(work.cells.rows(level, place + i), out + i);
       if (undecided.is_full()) decide();
     });
     if (!is_finest()) return;
-    const std::uint32_t none = bits_of_free(out, std::min(at_once, work.cells.size(level).width - x));
+    const std::uint32_t none = bits_of_free(out, std::min(at_once, count));
     rough(x, y) = static_cast<std::uint16_t>(rough(x, y) | (none & task.open & ~later));
   }
   void label_below(std::int32_t X, std::int32_t Y) const noexcept {

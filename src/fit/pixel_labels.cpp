@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 
+#include "base/lowest_bit.hpp"
 #include "depth_surfaces.hpp"
 #include "four_labels.hpp"
 #include "label_squares.hpp"
@@ -131,7 +132,10 @@ struct CellRow {
     const std::uint16_t state = states[x];
     const std::int32_t most = std::min(size().width, x + longest_run / side());
     std::int32_t end = x + 1;
-    while (end + 4 <= most && four(states + end) == state * four_ones) end += 4;
+    for (; end + 4 <= most; end += 4) {
+      const std::uint64_t differ = four(states + end) ^ (state * four_ones);
+      if (differ != 0) return end + static_cast<std::int32_t>(lowest_bit(differ) / 16);
+    }
     while (end < most && states[end] == state) ++end;
     return end;
   }
