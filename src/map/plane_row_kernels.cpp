@@ -15,8 +15,9 @@ constexpr std::int32_t squares_at_once = 8;
 /// The lowest and the highest label of each square, 0 where it has none.
 struct SquareLabels {
   std::uint16_t lowest[PlaneRow::most_squares], highest[PlaneRow::most_squares];
-  /// 1: the square and the one before have the same one label, or none; else 0.
-  std::uint8_t goes_on[PlaneRow::most_squares];
+  /// 1: the square and the one before have the same one label, or none; else 0, and so are eight behind the
+  /// last.
+  std::uint8_t goes_on[PlaneRow::most_squares + 8];
 };
 
 struct ColumnLabels {
@@ -68,18 +69,24 @@ inline void find_labels(const PlaneRow& row, SquareLabels& labels, PlaneRowCount
                         both = labels.lowest[s] ^ labels.lowest[s - 1];
     labels.goes_on[s] = (here | before | both) == 0 ? 1 : 0;
   }
+  for (std::int32_t s = 0; s < 8; ++s) labels.goes_on[row.columns / side + s] = 0;
 }
 
 /// The next higher label in the square; 0: none.
 inline std::uint32_t label_after(const PlaneRow& row, const SquareLabels& labels, std::int32_t square,
                                  std::uint32_t label) noexcept {
+  constexpr std::uint16_t none = 0xFFFF;
   if (label >= labels.highest[square]) return 0;
-  std::uint32_t next = labels.highest[square];
+  std::uint16_t next[side] = {none, none, none, none};
   for (const auto& line : row.labels) {
-    for (std::int32_t x = side * square; x < side * (square + 1); ++x)
-      next = line[x] > label && line[x] < next ? line[x] : next;
+    for (std::int32_t x = 0; x < side; ++x) {
+      const std::uint16_t here = line[side * square + x], higher = here > label ? here : none;
+      next[x] = higher < next[x] ? higher : next[x];
+    }
   }
-  return next;
+  const std::uint16_t left = next[0] < next[1] ? next[0] : next[1],
+                      right = next[2] < next[3] ? next[2] : next[3];
+  return left < right ? left : right;
 }
 
 inline bool holds(const PlaneRow& row, const SquareLabels& labels, std::int32_t square,
@@ -90,16 +97,13 @@ inline bool holds(const PlaneRow& row, const SquareLabels& labels, std::int32_t 
 }
 
 /// The first square from this one on that does not go on what the one before has.
-inline std::int32_t next_change(const SquareLabels& labels, std::int32_t square,
-                                std::int32_t squares) noexcept {
+inline std::int32_t next_change(const SquareLabels& labels, std::int32_t square) noexcept {
   constexpr std::uint64_t eight_go_on = 0x0101010101010101U;
-  for (; square + 8 <= squares; square += 8) {
+  for (;; square += 8) {
     std::uint64_t eight;
     __builtin_memcpy(&eight, labels.goes_on + square, sizeof eight);
-    if (eight != eight_go_on) break;
+    if (eight != eight_go_on) return square + __builtin_ctzll(eight ^ eight_go_on) / 8;
   }
-  while (square < squares && labels.goes_on[square] != 0) ++square;
-  return square;
 }
 
 /// Neighbouring squares with readings of one plane.
@@ -217,11 +221,11 @@ inline void expect_below(const PlaneRow& row, std::int32_t square) noexcept {
 template <class Visit>
 inline void for_each_span(const PlaneRow& row, const SquareLabels& labels, Visit visit) noexcept {
   const std::int32_t squares = row.columns / side;
-  for (std::int32_t s = 0; s < squares; s = next_change(labels, s + 1, squares)) {
+  for (std::int32_t s = 0; s < squares; s = next_change(labels, s + 1)) {
     for (std::uint32_t label = labels.lowest[s]; label != 0; label = label_after(row, labels, s, label)) {
       if (s > 0 && holds(row, labels, s - 1, label)) continue;
-      std::int32_t end = next_change(labels, s + 1, squares);
-      while (end < squares && holds(row, labels, end, label)) end = next_change(labels, end + 1, squares);
+      std::int32_t end = next_change(labels, s + 1);
+      while (end < squares && holds(row, labels, end, label)) end = next_change(labels, end + 1);
       visit(Span{label, s, end});
     }
   }
