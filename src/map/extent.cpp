@@ -69,10 +69,10 @@ void sample_track(const WallLine& line, const LineSampler& blurred, Track& track
 double median_of_some(std::span<const double> values) {
   constexpr std::size_t most = 32;
   const std::size_t every = (values.size() + most - 1) / most;
-  std::vector<double> some;
-  some.reserve(most);
-  for (std::size_t i = every / 2; i < values.size(); i += every) some.push_back(values[i]);
-  return median(std::move(some));
+  std::array<double, most> some;
+  std::size_t count = 0;
+  for (std::size_t i = every / 2; i < values.size(); i += every) some[count++] = values[i];
+  return median(std::span(some).first(count));
 }
 
 /// Step 2. Beside the line itself both sides are what they usually are.
@@ -212,7 +212,7 @@ void find_free_sides(const Picture& picture, const LineSampler& gray, WallLine& 
   const auto is_free = [&](double u) {
     std::vector<double> grays(places.size());
     gray.along(line, places, u, grays.data());
-    return median(std::move(grays)) > picture.free_above;
+    return median(grays) > picture.free_above;
   };
   line.free_plus = is_free(aside);
   line.free_minus = line.axis && is_free(-aside);

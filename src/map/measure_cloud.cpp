@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "map/median.hpp"
 #include "straightedge/octree.hpp"
 #include "straightedge/plane_fit.hpp"
 
@@ -19,13 +20,6 @@ constexpr std::size_t samples = 1000;
 constexpr std::size_t neighbours = 24;
 constexpr double smallest_leaf_m = 1e-6;
 constexpr std::size_t most_points = std::size_t{1} << 30U;
-
-double median(std::vector<double>& values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Failure refusal(Status status) {
   return {Problem::bad_content, to_string(status)};

@@ -3,7 +3,9 @@
 #include "map/walls.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 #include "map/line_grid.hpp"
@@ -14,6 +16,8 @@ namespace {
 constexpr double cos_parallel = 0.985;  // 10 degrees
 // Blur moves the edges of a thin wall apart by up to this many pixels.
 constexpr double blur_spread = 3.0;
+// Across a wall, two a pixel: no wall is asked for that is wider than 50 pixels.
+constexpr std::size_t most_depths = 128;
 
 /// Where b runs beside a, along a.
 Span beside(const WallLine& a, const WallLine& b) {
@@ -42,15 +46,18 @@ double wall_width(const LineSampler& picture, const WallLine& a, Span stretch, d
   constexpr double step = 0.5;
   constexpr double places = 4;
   const double reach = 0.5 * distance + 2.5;
-  std::vector<double> depths;
-  for (double depth = -reach - 0.5 * distance; depth <= reach - 0.5 * distance; depth += step)
-    depths.push_back(depth);
-  std::vector<double> grays(depths.size());
+  std::array<double, most_depths> all_depths, all_grays;
+  std::size_t count = 0;
+  for (double depth = -reach - 0.5 * distance; depth <= reach - 0.5 * distance && count < most_depths;
+       depth += step)
+    all_depths[count++] = depth;
+  const std::span<const double> depths = std::span(all_depths).first(count),
+                                grays = std::span(all_grays).first(count);
   double sum = 0;
   int rows = 0;
   const double way = std::max(stretch.length() / places, 1.0);
   for (double s = stretch.begin + 0.5 * way; s < stretch.end; s += way) {
-    picture.across(a, s, depths, grays.data());
+    picture.across(a, s, depths, all_grays.data());
     for (const double gray : grays) sum += 255 - gray;
     ++rows;
   }
