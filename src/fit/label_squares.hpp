@@ -31,7 +31,7 @@ class LabelSquares {
   /// Labels without any of the `wanted` bits are left out.
   LabelSquares(const DepthCells& cells, ImageView<const std::uint16_t> labels, std::uint16_t wanted,
                bool in_pairs) noexcept
-      : cells_(cells), labels_(labels), wanted_(wanted), in_pairs_(in_pairs ? 1 : 0) {}
+      : cells_(cells), labels_(labels), wanted_(wanted), in_pairs_(in_pairs) {}
 
   /// Calls visit(square) for each.
   template <class Visit>
@@ -47,7 +47,7 @@ class LabelSquares {
 
  private:
   static constexpr std::int32_t side = 4;
-  static constexpr std::size_t cells_of_one = 16, room = 15 * cells_of_one;
+  static constexpr std::size_t cells_of_one = 16, room = 7 * cells_of_one;
 
   /// Four rows of four labels from a cell on. Beyond the border the last one in the picture stands again.
   struct Sixteen {
@@ -85,26 +85,26 @@ class LabelSquares {
       return;
     }
     for (std::int32_t j = 0; j < labels.rows; j += 2) {
-      for (std::int32_t i = 0; i < labels.columns; i += 2) find_in_two(labels, i, j, x + i, y + j);
+      for (std::int32_t i = 0; i < labels.columns; i += 2) find_in_four(labels, i, j, x + i, y + j);
     }
   }
 
   /// The square of 2x2 labels (i, j) of the sixteen, whose first cell is (x, y).
-  void find_in_two(const Sixteen& labels, std::int32_t i, std::int32_t j, std::int32_t x,
-                   std::int32_t y) noexcept {
+  void find_in_four(const Sixteen& labels, std::int32_t i, std::int32_t j, std::int32_t x,
+                    std::int32_t y) noexcept {
     const std::uint64_t top = labels.row[static_cast<std::size_t>(j)] >> (16 * i),
                         bottom = labels.row[static_cast<std::size_t>(j) + 1] >> (16 * i);
     const auto a = static_cast<std::uint16_t>(top), b = static_cast<std::uint16_t>(top >> 16U),
                c = static_cast<std::uint16_t>(bottom), d = static_cast<std::uint16_t>(bottom >> 16U);
     const bool is_one = ((a ^ b) | (a ^ c) | (a ^ d)) == 0, is_wide = i + 1 < labels.columns;
     offer(cells_.finest() + 1, x / 2, y / 2, a, is_one);
-    find_single(x, y, a, b, !is_one, is_wide);
-    find_single(x, y + 1, c, d, !is_one & (j + 1 < labels.rows), is_wide);
+    find_in_row(x, y, a, b, !is_one, is_wide);
+    find_in_row(x, y + 1, c, d, !is_one & (j + 1 < labels.rows), is_wide);
   }
-  void find_single(std::int32_t x, std::int32_t y, std::uint16_t left, std::uint16_t right, bool are_any,
+  void find_in_row(std::int32_t x, std::int32_t y, std::uint16_t left, std::uint16_t right, bool are_any,
                    bool are_two) noexcept {
     const int level = cells_.finest();
-    const bool together = are_two & (left == right) & (in_pairs_ != 0);
+    const bool together = are_two & (left == right) & in_pairs_;
     offer(level, x, y, left, are_any, together ? 1 : 0);
     offer(level, x + 1, y, right, are_any & are_two & !together);
   }
@@ -125,7 +125,7 @@ class LabelSquares {
   const DepthCells& cells_;
   ImageView<const std::uint16_t> labels_;
   std::uint16_t wanted_;
-  std::uint8_t in_pairs_;
+  bool in_pairs_;
   std::size_t count_ = 0;
   std::array<LabelSquare, room + 1> found_;  // the last one is only ever written over
 };
