@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -21,13 +20,7 @@ inline std::uint64_t four(const std::uint16_t* labels) noexcept {
 
 /// Takes bits off all labels.
 inline void clear_bits(std::span<std::uint16_t> labels, std::uint16_t bits) noexcept {
-  const auto kept = static_cast<std::uint16_t>(~bits);
-  std::size_t i = 0;
-  for (; i + 4 <= labels.size(); i += 4) {
-    const std::uint64_t together = four(&labels[i]) & kept * four_ones;
-    std::memcpy(&labels[i], &together, sizeof together);
-  }
-  for (; i < labels.size(); ++i) labels[i] &= kept;
+  for (std::uint16_t& label : labels) label = static_cast<std::uint16_t>(label & ~bits);
 }
 
 /// Writes those of sixteen labels whose bits are set, of the first `count`. Without a branch for each: along

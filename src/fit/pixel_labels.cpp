@@ -3,7 +3,6 @@
 #include "pixel_labels.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include "base/lowest_bit.hpp"

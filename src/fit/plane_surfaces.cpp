@@ -3,7 +3,6 @@
 #include "plane_surfaces.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "cell_labels.hpp"
 #include "four_labels.hpp"
