@@ -174,32 +174,40 @@ void stretch(GrayView gray, const GrayStretch& rule, const PictureRowKernels& ke
 }
 
 /// Whether gray, where it is neither black nor white, changes from pixel to pixel nearly everywhere. Every
-/// second row tells.
+/// second row tells, as long as those to come can still make a difference.
 bool is_grainy(GrayView gray, const PictureRowKernels& kernels) {
+  const std::int64_t pixels = std::int64_t{gray.width} * gray.height;
   GrainCount count;
-  for (std::int32_t y = 0; y < gray.height; y += 2) kernels.count_grain(gray.row(y), gray.width, count);
-  return count.same * 3 < count.pairs && count.pairs * 20 > std::int64_t{gray.width} * gray.height;
+  for (std::int32_t y = 0; y < gray.height; y += 2) {
+    const std::int64_t most = count.pairs + std::int64_t{(gray.height - y + 1) / 2} * (gray.width - 1);
+    if (count.same * 3 >= most || most * 20 <= pixels) return false;
+    kernels.count_grain(gray.row(y), gray.width, count);
+  }
+  return count.same * 3 < count.pairs && count.pairs * 20 > pixels;
 }
 
 /// Whether lone dark pixels lie all over the picture, as a scanner's or a radio's specks do; clutter in a
-/// building lies in heaps.
+/// building lies in heaps. Where more than a tenth of all cells have none, they do not lie all over.
 bool is_speckled(GrayView gray, const PictureRowKernels& kernels) {
   constexpr std::int32_t cells = 8;
   std::array<int, cells * cells> specks{};
+  constexpr std::int64_t tenth_cell = cells * cells / 10;
   std::vector<std::uint8_t> lone(static_cast<std::size_t>(gray.width));
   for (std::int32_t y = 1; y + 1 < gray.height; ++y) {
+    const std::int32_t row = y * cells / gray.height * cells;
+    const bool first_of_cells = (y - 1) * cells / gray.height * cells != row;
+    if (first_of_cells && std::count(specks.begin(), specks.begin() + row, 0) > tenth_cell) return false;
     if (!kernels.find_lone(gray.row(y - 1), gray.row(y), gray.row(y + 1), gray.width, lone_contrast,
                            lone.data()))
       continue;
     for (auto at = std::find(lone.begin(), lone.end(), 1); at != lone.end();
          at = std::find(at + 1, lone.end(), 1)) {
       const auto x = static_cast<std::int32_t>(at - lone.begin());
-      const std::int32_t cell = y * cells / gray.height * cells + x * cells / gray.width;
-      ++specks[static_cast<std::size_t>(cell)];
+      ++specks[static_cast<std::size_t>(row + x * cells / gray.width)];
     }
   }
   std::sort(specks.begin(), specks.end());
-  const int tenth = specks[specks.size() / 10], median = specks[specks.size() / 2];
+  const int tenth = specks[tenth_cell], median = specks[specks.size() / 2];
   return median >= 2 && tenth >= speckled_evenness * median;
 }
 

@@ -42,20 +42,22 @@ std::uint32_t turn_strokes_to_axes(std::vector<WallLine>& lines, const LineSampl
   std::uint32_t turned = 0;
   std::vector<double> distances;
   for (double u = before; u >= -max_width - behind; u -= step) distances.push_back(u);
-  std::vector<double> grays(distances.size());
+  std::vector<double> grays(distances.size()), places;
   for (WallLine& line : lines) {
     if (line.axis) continue;
+    places.clear();
+    for (double s = line.begin + 0.5; s < line.end; s += place_step(line.length())) places.push_back(s);
     double width = 0, centre = 0;
-    int places = 0, thin = 0;
-    for (double s = line.begin + 0.5; s < line.end; s += place_step(line.length()), ++places) {
+    const double least = most * static_cast<double>(places.size());
+    auto thin = static_cast<int>(places.size());
+    for (const double s : places) {
       picture.across(line, s, distances, grays.data());
       const Stroke stroke = stroke_of(distances, grays, max_width);
-      if (!stroke.thin) continue;
-      ++thin;
-      width += stroke.width;
-      centre += stroke.centre;
+      width += stroke.thin ? stroke.width : 0;
+      centre += stroke.thin ? stroke.centre : 0;
+      if (!stroke.thin && --thin < least) break;  // the other places cannot change it
     }
-    if (thin == 0 || thin < most * places) continue;
+    if (thin == 0 || thin < least) continue;
     const double move = centre / thin;  // Step 3
     line.origin_x += move * line.nx;
     line.origin_y += move * line.ny;
