@@ -132,6 +132,43 @@ TEST_CASE("a noisy map is a map") {
   }
 }
 
+TEST_CASE("specks all over make a picture noisy, specks in a part of it do not, whichever part") {
+  // Of 64 cells six may be without specks: 20 by 15 pixels each.
+  const auto specked = [](int clean_cells, bool turned) {
+    support::Canvas canvas(size);
+    canvas.paint_box(20, 8, 140, 11);
+    for (int cell = clean_cells; cell < 64; ++cell) {
+      const int left = cell % 8 * 20, top = cell / 8 * 15;
+      for (const int x : {4, 9, 14}) canvas.paint_box(left + x, top + 12, left + x + 1, top + 13);
+    }
+    Image<std::uint8_t> picture = canvas.picture();
+    if (turned) std::reverse(picture.view().row(0), picture.view().row(0) + size.width * size.height);
+    return picture;
+  };
+  for (const bool turned : {false, true}) {
+    CAPTURE(turned);
+    CHECK(understood(specked(0, turned)).noisy);
+    CHECK(understood(specked(6, turned)).noisy);
+    CHECK_FALSE(understood(specked(7, turned)).noisy);
+    CHECK_FALSE(understood(specked(32, turned)).noisy);
+  }
+}
+
+TEST_CASE("grain makes a picture noisy, whichever rows it is in") {
+  for (const int first : {0, size.height / 2}) {
+    CAPTURE(first);
+    Image<std::uint8_t> picture(size);
+    std::fill_n(picture.view().row(0), size.width * size.height, std::uint8_t{255});
+    for (int y = first; y < first + size.height / 2; ++y)
+      for (int x = 0; x < size.width; ++x)
+        picture.at(x, y) = static_cast<std::uint8_t>(x % 2 == 0 ? 215 : 220);
+    CHECK(understand_picture(picture, PictureKind::map, {}).noisy);
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x) picture.at(x, y) = picture.at(x, y) < 255 ? 215 : 255;
+    CHECK_FALSE(understand_picture(picture, PictureKind::map, {}).noisy);
+  }
+}
+
 TEST_CASE("clean and crisp pictures are told from noisy and soft ones") {
   support::Canvas crisp(size);
   crisp.paint_box(20, 20, 140, 23);
