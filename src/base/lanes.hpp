@@ -29,6 +29,14 @@ constexpr std::int32_t lanes = STRAIGHTEDGE_LANES;
 using Lanes [[gnu::vector_size(STRAIGHTEDGE_LANES * 4)]] = float;
 /// What comparing lanes gives.
 using Marks [[gnu::vector_size(STRAIGHTEDGE_LANES * 4)]] = std::int32_t;
+using Wholes = Marks;
+
+[[maybe_unused]] inline Lanes in_floats(const Wholes& x) noexcept {
+  return __builtin_convertvector(x, Lanes);
+}
+[[maybe_unused]] inline Wholes in_wholes(const Lanes& x) noexcept {
+  return __builtin_convertvector(x, Wholes);
+}
 
 [[maybe_unused]] inline bool any(const Marks& marks) noexcept {
   std::uint64_t words[STRAIGHTEDGE_LANES / 2], all = 0;
@@ -39,6 +47,14 @@ using Marks [[gnu::vector_size(STRAIGHTEDGE_LANES * 4)]] = std::int32_t;
 #else
 using Lanes = float;
 using Marks = bool;
+using Wholes = std::int32_t;
+
+[[maybe_unused]] inline Lanes in_floats(Wholes x) noexcept {
+  return static_cast<float>(x);
+}
+[[maybe_unused]] inline Wholes in_wholes(Lanes x) noexcept {
+  return static_cast<Wholes>(x);
+}
 
 [[maybe_unused]] inline bool any(Marks mark) noexcept {
   return mark;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
-#include "base/lanes.hpp"
+#include "base/lane_pairs.hpp"
 #include "depth_cell_kernels.hpp"
 
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
@@ -27,32 +27,16 @@ Lanes spread(const float* numbers) noexcept {
 #endif
 }
 
-/// The first ones and the second ones of pairs beside one another.
-struct Pairs {
-  Lanes first, second;
-
-  explicit Pairs(const float* from) noexcept {
-#if STRAIGHTEDGE_LANES == 16
-    const Lanes a = load(from), b = load(from + lanes);
-    first = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
-    second = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
-#elif STRAIGHTEDGE_LANES == 8
-    const Lanes a = load(from), b = load(from + lanes);
-    first = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
-    second = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
-#elif STRAIGHTEDGE_LANES == 4
-    const Lanes a = load(from), b = load(from + lanes);
-    first = __builtin_shufflevector(a, b, 0, 2, 4, 6);
-    second = __builtin_shufflevector(a, b, 1, 3, 5, 7);
-#else
-    first = from[0];
-    second = from[1];
-#endif
-  }
-  Lanes sum() const noexcept {
-    return first + second;
-  }
-};
+/// Three whole numbers in one float, exactly: what a reading counts for in n, n_below and n_triangles of its
+/// column, `rows` from its end.
+constexpr std::int32_t below_shift = 5, triangles_shift = 13;
+constexpr float counts_of(std::int32_t rows) noexcept {
+  return static_cast<float>(1 + (rows << below_shift) + (rows * (rows + 1) / 2 << triangles_shift));
+}
+/// A column has 16 rows at most, so n, and the sums over them of `rows` and of rows (rows + 1) / 2, are at
+/// most:
+static_assert(16 < 1 << below_shift && 136 < 1 << (triangles_shift - below_shift) &&
+              816 << triangles_shift < 1 << 24);
 
 template <std::int32_t columns>
 struct ColumnSums {
@@ -78,8 +62,8 @@ struct ColumnSums {
   /// Of the columns from x on.
   template <std::int32_t side>
   void sum(const float* first, std::ptrdiff_t stride, std::int32_t x) noexcept {
-    const Lanes none = all(0), one = all(1), from = spread<side>(near + x / side);
-    Lanes sum = none, sum_below = none, squares = none, count = none, count_below = none, triangles = none;
+    const Lanes none = all(0), from = spread<side>(near + x / side);
+    Lanes sum = none, sum_below = none, squares = none, counts = none;
     for (std::int32_t v = 0; v < side; ++v) {
       const Lanes read = load(first + v * stride);
       const auto good = read > none;
@@ -87,16 +71,15 @@ struct ColumnSums {
       sum += above;
       sum_below += sum;
       squares += above * above;
-      count += good ? one : none;
-      count_below += count;
-      triangles += count_below;
+      counts = good ? counts + all(counts_of(side - v)) : counts;
     }
     store(q + x, sum);
     store(qq + x, squares);
-    store(n + x, count);
     store(below + x, sum_below);
-    store(n_below + x, count_below);
-    store(n_triangles + x, triangles);
+    const Wholes wholes = in_wholes(counts);
+    store(n + x, in_floats(wholes & ((1 << below_shift) - 1)));
+    store(n_below + x, in_floats(wholes >> below_shift & ((1 << (triangles_shift - below_shift)) - 1)));
+    store(n_triangles + x, in_floats(wholes >> triangles_shift));
   }
   /// The first columns; those that are left over hold nothing.
   template <std::int32_t side>

@@ -2,66 +2,71 @@
 // SPDX-License-Identifier: MIT
 #include "depth_cell_kernels.hpp"
 
+#include "base/lane_pairs.hpp"
+
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
 namespace {
 
-/// Four cells that make one each, and how far their means are from its.
-struct JoinedCells {
-  static constexpr std::int32_t most = 16;
-  float n[4][most], away[3][4][most];
+/// A number of each of the four cells that make one, of as many as lanes.
+struct OfFour {
+  Lanes of[4];
 
-  /// Number k of the four, of each of them.
-  static const float* part(const DepthCellRows& from, std::ptrdiff_t below, int kind, int k) noexcept {
-    return from.first + kind * from.apart + (k & 1) + (k >> 1) * below;
+  OfFour() noexcept = default;
+  OfFour(const float* upper, std::ptrdiff_t below) noexcept {
+    const Pairs above(upper), beneath(upper + below);
+    of[0] = above.first;
+    of[1] = above.second;
+    of[2] = beneath.first;
+    of[3] = beneath.second;
   }
-  void join(const DepthCellRows& from, std::ptrdiff_t below, std::int32_t count,
-            const DepthCellRows& out) noexcept {
-    float inverse[most];
-    float* sum = out.first;
-    for (int k = 0; k < 4; ++k) {
-      const float* of = part(from, below, 0, k);
-      for (std::int32_t i = 0; i < count; ++i) n[k][i] = of[2 * i];
-    }
-    for (std::int32_t i = 0; i < count; ++i) {
-      const float all_four = (n[0][i] + n[1][i]) + (n[2][i] + n[3][i]);
-      inverse[i] = 1 / (all_four > 0 ? all_four : 1.0F);
-      sum[i] = all_four;
-    }
-    for (int kind = 1; kind <= 3; ++kind)
-      join_means(from, below, kind, count, inverse, sum + kind * out.apart);
-    constexpr int first[6] = {0, 0, 1, 0, 1, 2}, second[6] = {0, 1, 1, 2, 2, 2};
-    for (int p = 0; p < 6; ++p) {
-      join_products(from, below, p + 4, count, away[first[p]], away[second[p]], sum + (p + 4) * out.apart);
-    }
-  }
-
- private:
-  void join_means(const DepthCellRows& from, std::ptrdiff_t below, int kind, std::int32_t count,
-                  const float* inverse, float* __restrict means) noexcept {
-    const float *a = part(from, below, kind, 0), *b = part(from, below, kind, 2);
-    float(&d)[4][most] = away[kind - 1];
-    for (std::int32_t i = 0; i < count; ++i) {
-      const float x0 = a[2 * i], x1 = a[2 * i + 1], x2 = b[2 * i], x3 = b[2 * i + 1];
-      const float mean = ((n[0][i] * x0 + n[1][i] * x1) + (n[2][i] * x2 + n[3][i] * x3)) * inverse[i];
-      d[0][i] = x0 - mean;
-      d[1][i] = x1 - mean;
-      d[2][i] = x2 - mean;
-      d[3][i] = x3 - mean;
-      means[i] = mean;
-    }
-  }
-  void join_products(const DepthCellRows& from, std::ptrdiff_t below, int kind, std::int32_t count,
-                     const float (&d)[4][most], const float (&e)[4][most],
-                     float* __restrict sums) const noexcept {
-    const float *a = part(from, below, kind, 0), *b = part(from, below, kind, 2);
-    for (std::int32_t i = 0; i < count; ++i) {
-      const float within = (a[2 * i] + a[2 * i + 1]) + (b[2 * i] + b[2 * i + 1]);
-      const float upper = n[0][i] * (d[0][i] * e[0][i]) + n[1][i] * (d[1][i] * e[1][i]);
-      const float lower = n[2][i] * (d[2][i] * e[2][i]) + n[3][i] * (d[3][i] * e[3][i]);
-      sums[i] = within + (upper + lower);
-    }
-  }
+  Lanes sum() const noexcept { return (of[0] + of[1]) + (of[2] + of[3]); }
 };
+
+Lanes sum_of_products(const OfFour& a, const OfFour& b) noexcept {
+  return (a.of[0] * b.of[0] + a.of[1] * b.of[1]) + (a.of[2] * b.of[2] + a.of[3] * b.of[3]);
+}
+
+OfFour products(const OfFour& a, const OfFour& b) noexcept {
+  OfFour product;
+  for (int k = 0; k < 4; ++k) product.of[k] = a.of[k] * b.of[k];
+  return product;
+}
+
+/// As many cells as lanes.
+void join_some(const DepthCellRows& from, std::ptrdiff_t below, const DepthCellRows& out) noexcept {
+  const auto number = [&](int kind) noexcept { return OfFour(from.first + kind * from.apart, below); };
+  const auto put = [&](int kind, const Lanes& x) noexcept { store(out.first + kind * out.apart, x); };
+  const OfFour n = number(0);
+  const Lanes readings = n.sum(), inverse = all(1) / (readings > all(0) ? readings : all(1));
+  put(0, readings);
+  OfFour away[3];  // the four means from that of all
+  for (int i = 0; i < 3; ++i) {
+    const OfFour means = number(1 + i);
+    const Lanes mean = sum_of_products(n, means) * inverse;
+    put(1 + i, mean);
+    for (int k = 0; k < 4; ++k) away[i].of[k] = means.of[k] - mean;
+  }
+  constexpr int first[6] = {0, 0, 1, 0, 1, 2}, second[6] = {0, 1, 1, 2, 2, 2};
+  for (int p = 0; p < 6; ++p)
+    put(4 + p, number(4 + p).sum() + sum_of_products(n, products(away[first[p]], away[second[p]])));
+}
+
+/// Fewer cells than lanes.
+void join_few(const DepthCellRows& from, std::ptrdiff_t below, std::int32_t cells,
+              const DepthCellRows& out) noexcept {
+  constexpr std::ptrdiff_t row = 2 * lanes;
+  float four[DepthCellRows::kinds * 2 * row] = {}, joined[DepthCellRows::kinds * lanes];
+  for (std::ptrdiff_t kind = 0; kind < DepthCellRows::kinds; ++kind) {
+    const float* upper = from.first + kind * from.apart;
+    for (std::int32_t i = 0; i < 2 * cells; ++i) {
+      four[2 * kind * row + i] = upper[i];
+      four[(2 * kind + 1) * row + i] = upper[below + i];
+    }
+  }
+  join_some({four, 2 * row}, row, {joined, lanes});
+  for (std::ptrdiff_t kind = 0; kind < DepthCellRows::kinds; ++kind)
+    for (std::int32_t i = 0; i < cells; ++i) out.first[kind * out.apart + i] = joined[kind * lanes + i];
+}
 
 }  // namespace
 
@@ -77,10 +82,16 @@ void keep_readings(const float* inverse, const std::uint16_t* mask, std::int32_t
 
 void join_cells(const DepthCellRows& from, std::ptrdiff_t below, std::int32_t cells,
                 const DepthCellRows& out) noexcept {
-  JoinedCells joined;
-  for (std::int32_t first = 0; first < cells; first += JoinedCells::most) {
-    const std::int32_t left = cells - first, count = left < JoinedCells::most ? left : JoinedCells::most;
-    joined.join({from.first + 2 * first, from.apart}, below, count, {out.first + first, out.apart});
+  const auto join = [&](std::int32_t first) noexcept {
+    join_some({from.first + 2 * first, from.apart}, below, {out.first + first, out.apart});
+  };
+  std::int32_t first = 0;
+  for (; first + lanes <= cells; first += lanes) join(first);
+  if (first == cells) return;
+  if (cells > lanes) {
+    join(cells - lanes);  // some of them once more
+  } else {
+    join_few(from, below, cells, out);
   }
 }
 

@@ -57,23 +57,31 @@ Nearest nearest(const DepthChoice& square, const Lanes& u, const Lanes& v, const
   return best;
 }
 
+/// Three whole numbers in one float, exactly: of nine pixels how many count, and the sums of their columns
+/// and rows, each 0, 1 or 2.
+constexpr std::int32_t column_shift = 4, row_shift = 9;
+constexpr float counts_of(std::int32_t column, std::int32_t row) noexcept {
+  return static_cast<float>(1 + (column << column_shift) + (row << row_shift));
+}
+
 /// The nearest to the mean of the 3x3 pixels around each one that lie on its surface.
 Nearest nearest_to_mean(const DepthChoice& square, std::int32_t first, const Lanes& q,
                         const Lanes& limit) noexcept {
-  Lanes n = all(0), right = n, down = n, sum = n;
+  Lanes sum = all(0), counted = sum;
   for (std::int32_t j = 0; j < 3; ++j) {
     for (std::int32_t i = 0; i < 3; ++i) {
       const Lanes other = moved(square.around, first, i, j), r = other - q;
       const auto counts = (other > all(0)) & (r <= limit) & (r >= -limit);
-      n += counts ? all(1) : all(0);
-      right += counts ? all(static_cast<float>(i - 1)) : all(0);
-      down += counts ? all(static_cast<float>(j - 1)) : all(0);
-      sum += counts ? other : all(0);
+      sum = counts ? sum + other : sum;
+      counted = counts ? counted + all(counts_of(i, j)) : counted;
     }
   }
-  const Lanes count = n > all(1) ? n : all(1);
-  return nearest(square, load(columns + first) + right / count, load(rows + first) + down / count,
-                 sum / count);
+  const Wholes wholes = in_wholes(counted), n = wholes & ((1 << column_shift) - 1);
+  const Wholes right = (wholes >> column_shift & ((1 << (row_shift - column_shift)) - 1)) - n;
+  const Wholes down = (wholes >> row_shift) - n;
+  const Lanes readings = in_floats(n), count = readings > all(1) ? readings : all(1);
+  return nearest(square, load(columns + first) + in_floats(right) / count,
+                 load(rows + first) + in_floats(down) / count, sum / count);
 }
 
 void choose_some(const DepthChoice& square, std::int32_t first, std::uint16_t* labels) noexcept {
