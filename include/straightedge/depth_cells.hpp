@@ -61,8 +61,8 @@ class DepthCells {
   /// Steps 1 and 2. `inverse_depth` has the size given to `take`.
   void build(ImageView<const float> inverse_depth,
              const DepthKernels& kernels = plain_depth_kernels) noexcept;
-  /// Step 1 alone for row y of the finest cells, from the rows of the picture that they are made of; step 2
-  /// is due when all are done.
+  /// The same row by row, from the first to the last: row y of the finest cells, from the rows of the picture
+  /// that they are made of, and the larger cells that are whole with it.
   void build_row(ImageView<const float> inverse_depth, std::int32_t y,
                  const DepthKernels& kernels = plain_depth_kernels) noexcept;
   /// Step 2 alone, after cells of the finest level were changed.
@@ -87,6 +87,8 @@ class DepthCells {
   }
 
  private:
+  void join_up(std::int32_t y, const DepthKernels& kernels) noexcept;
+
   int finest_ = 0;
   double middle_u_ = 0, middle_v_ = 0;
   std::span<std::uint8_t> counts_;

@@ -94,6 +94,19 @@ void DepthCells::build_row(ImageView<const float> inverse_depth, std::int32_t y,
     x = whole_columns;
   }
   for (; x < cells.width; ++x) row.sum(x, place_of(cells, x, y));
+  join_up(y, kernels);
+}
+
+void DepthCells::join_up(std::int32_t y, const DepthKernels& kernels) noexcept {
+  // Step 2, while the rows of cells are in the processor's nearest memory.
+  for (int fine = finest_; fine + 1 < levels; ++fine, y /= 2) {
+    const Size from = size(fine), to = size(fine + 1);
+    const bool is_last = y + 1 == from.height;
+    if (y % 2 == 0 && !is_last) return;
+    const std::int32_t top = y / 2 * 2;
+    join_cells(rows(fine, place_of(from, 0, top)), {from.width, y + 1 - top},
+               rows(fine + 1, place_of(to, 0, y / 2)), kernels);
+  }
 }
 
 void DepthCells::build(ImageView<const float> inverse_depth, const DepthKernels& kernels) noexcept {
@@ -104,7 +117,6 @@ void DepthCells::build(ImageView<const float> inverse_depth, const DepthKernels&
     band.height = std::min(pixels, inverse_depth.height - y * pixels);
     build_row(band, y, kernels);
   }
-  sum_up(kernels);
 }
 
 void DepthCells::sum_up(const DepthKernels& kernels) noexcept {

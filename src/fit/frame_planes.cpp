@@ -154,7 +154,6 @@ Status FramePlanes::read_depth(const DepthView& depth) noexcept {
     if (status != Status::ok) return status;
     cells_.build_row(out, y / rows, *options_.kernels);
   }
-  cells_.sum_up(*options_.kernels);
   return Status::ok;
 }
 

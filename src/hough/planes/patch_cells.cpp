@@ -18,7 +18,6 @@ void build(const DepthInput& input, const DepthKernels& kernels, std::span<float
     }
     cells.build_row(band, top / hough_patch_side, kernels);
   }
-  cells.sum_up(kernels);
 }
 
 }  // namespace
