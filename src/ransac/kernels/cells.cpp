@@ -8,25 +8,42 @@ namespace {
 
 constexpr std::uint8_t least_neighbours = 3;
 
-// Loops over bytes take four times as many cells at once as lanes are, and are slow with what is left over.
-constexpr std::int32_t byte_step = lanes == 1 ? 1 : 4 * lanes;
-static_assert(byte_step <= search_overrun);
+// Marks are written for whole groups of cells: loops over bytes are slow with what is left over.
+constexpr std::int32_t group = lanes == 1 ? 1 : search_lanes;
+static_assert(group <= search_overrun);
+
+#if STRAIGHTEDGE_LANES > 4
+/// Marks of as many cells as lanes.
+using Some [[gnu::vector_size(STRAIGHTEDGE_LANES)]] = std::uint8_t;
+#endif
 
 void mark_row(const SearchReadings& row, std::int32_t count, const SearchPlane& p, float most,
               std::uint8_t* __restrict hit) noexcept {
+#if STRAIGHTEDGE_LANES == 16
+  const Lanes a = all(p.a), b = all(p.b), c = all(p.c), limit = all(most);
+  for (std::int32_t i = 0; i < count; i += lanes) {
+    const Lanes e = (load(row.q + i) - ((a * load(row.u + i) + b * load(row.v + i)) + c)) * load(row.w + i);
+    const Some marks = __builtin_convertvector(e * e < limit, Some) & 1;
+    std::memcpy(hit + i, &marks, sizeof marks);
+  }
+#else
   for (std::int32_t i = 0; i < count; ++i) {
     const float e = (row.q[i] - ((p.a * row.u[i] + p.b * row.v[i]) + p.c)) * row.w[i];
     hit[i] = e * e < most ? 1 : 0;
   }
+#endif
 }
 
-/// As many marks as a register holds.
+/// A group of marks, and as many as a register holds.
 #if STRAIGHTEDGE_LANES > 1
-using Bytes [[gnu::vector_size(byte_step)]] = std::uint8_t;
+using Group [[gnu::vector_size(group)]] = std::uint8_t;
+using Register [[gnu::vector_size(4 * STRAIGHTEDGE_LANES)]] = std::uint8_t;
 #else
-using Bytes = std::uint8_t;
+using Group = std::uint8_t;
+using Register = std::uint8_t;
 #endif
 
+template <class Bytes>
 Bytes load_bytes(const std::uint8_t* from) noexcept {
   Bytes x;
   std::memcpy(&x, from, sizeof x);
@@ -34,22 +51,29 @@ Bytes load_bytes(const std::uint8_t* from) noexcept {
 }
 
 /// A mark and those left and right of it.
+template <class Bytes>
 Bytes three(const std::uint8_t* marks) noexcept {
-  return static_cast<Bytes>(load_bytes(marks - 1) + load_bytes(marks) + load_bytes(marks + 1));
+  return static_cast<Bytes>(load_bytes<Bytes>(marks - 1) + load_bytes<Bytes>(marks) +
+                            load_bytes<Bytes>(marks + 1));
+}
+
+template <class Bytes>
+void keep(const std::uint8_t* hit, std::ptrdiff_t stride, std::uint8_t* core, std::uint8_t* counts) noexcept {
+  const Bytes none{}, enough = static_cast<Bytes>(none + least_neighbours), own = load_bytes<Bytes>(hit);
+  const Bytes near =
+      static_cast<Bytes>(three<Bytes>(hit - stride) + three<Bytes>(hit) + three<Bytes>(hit + stride) - own);
+  const Bytes kept = near >= enough ? own : none;
+  const Bytes sum = static_cast<Bytes>(load_bytes<Bytes>(counts) + kept);
+  std::memcpy(core, &kept, sizeof kept);
+  std::memcpy(counts, &sum, sizeof sum);
 }
 
 void keep_row(const std::uint8_t* hit, std::ptrdiff_t stride, std::int32_t count, std::uint8_t* core,
               std::uint8_t* counts) noexcept {
-  const Bytes none{}, enough = static_cast<Bytes>(none + least_neighbours);
-  for (std::int32_t i = 0; i < count; i += byte_step) {
-    const Bytes own = load_bytes(hit + i);
-    const Bytes near =
-        static_cast<Bytes>(three(hit + i - stride) + three(hit + i) + three(hit + i + stride) - own);
-    const Bytes kept = near >= enough ? own : none;
-    const Bytes sum = static_cast<Bytes>(load_bytes(counts + i) + kept);
-    std::memcpy(core + i, &kept, sizeof kept);
-    std::memcpy(counts + i, &sum, sizeof sum);
-  }
+  constexpr auto wide = static_cast<std::int32_t>(sizeof(Register));
+  std::int32_t i = 0;
+  for (; i + group < count; i += wide) keep<Register>(hit + i, stride, core + i, counts + i);
+  for (; i < count; i += group) keep<Group>(hit + i, stride, core + i, counts + i);
 }
 
 /// Adds the counts up, which begin anew.
@@ -65,9 +89,9 @@ std::uint32_t collect(std::uint8_t* __restrict counts, std::int32_t count,
 }
 
 std::uint64_t four(const std::uint16_t* labels) noexcept {
-  std::uint64_t group = 0;
-  std::memcpy(&group, labels, sizeof group);
-  return group;
+  std::uint64_t together = 0;
+  std::memcpy(&together, labels, sizeof together);
+  return together;
 }
 
 #if STRAIGHTEDGE_LANES > 1
@@ -76,9 +100,9 @@ using Fours [[gnu::vector_size(STRAIGHTEDGE_LANES * 8)]] = std::uint64_t;
 #endif
 
 std::uint64_t eight(const std::uint8_t* bytes) noexcept {
-  std::uint64_t group = 0;
-  std::memcpy(&group, bytes, sizeof group);
-  return group;
+  std::uint64_t together = 0;
+  std::memcpy(&together, bytes, sizeof together);
+  return together;
 }
 
 bool any_in_row(const std::uint8_t* marks, std::int32_t count) noexcept {
@@ -87,21 +111,29 @@ bool any_in_row(const std::uint8_t* marks, std::int32_t count) noexcept {
   return any != 0;
 }
 
-/// Marks as floats, for lanes to load. A single lane needs no row of them.
+/// Marks as floats, where lanes are too few to make them of bytes. A single lane needs no row of them.
 void spread_marks(const std::uint8_t* core, std::int32_t count, float* __restrict marks) noexcept {
-  if constexpr (lanes > 1)
+  if constexpr (lanes == 4)
     for (std::int32_t i = 0; i < count; ++i) marks[i] = static_cast<float>(core[i]);
 }
 
-Lanes load_marks(const std::uint8_t* core, const float* marks) noexcept {
-  if constexpr (lanes > 1) return load(marks);
+Lanes load_marks([[maybe_unused]] const std::uint8_t* core, [[maybe_unused]] const float* marks) noexcept {
+#if STRAIGHTEDGE_LANES > 4
+  // In single steps, of which compilers know instructions.
+  using Shorts [[gnu::vector_size(2 * STRAIGHTEDGE_LANES)]] = std::uint16_t;
+  const auto shorts = __builtin_convertvector(load_bytes<Some>(core), Shorts);
+  return __builtin_convertvector(__builtin_convertvector(shorts, Marks), Lanes);
+#elif STRAIGHTEDGE_LANES > 1
+  return load(marks);
+#else
   return all(*core);
+#endif
 }
 
-/// Is there a mark that a slice of lanes adds? `group`: the sixteen that its cells are among.
-bool any_mark(const std::uint8_t* group, std::int32_t lane) noexcept {
-  if constexpr (lanes > 1) return (eight(group) | eight(group + 8)) != 0;
-  return group[lane] != 0;
+/// Is there a mark that a slice of lanes adds, whose cells are among the sixteen?
+bool any_mark(const std::uint8_t* sixteen, std::int32_t lane) noexcept {
+  if constexpr (lanes > 1) return (eight(sixteen) | eight(sixteen + 8)) != 0;
+  return sixteen[lane] != 0;
 }
 
 SearchReadings moved(const SearchReadings& r, std::ptrdiff_t by) noexcept {
@@ -176,7 +208,7 @@ std::uint32_t count_readings(const float* q, const SearchBox& box) noexcept {
 
 void mark_hits(const SearchReadings& readings, const SearchBox& box, const SearchPlane& plane, float most,
                std::uint8_t* hit) noexcept {
-  const std::int32_t width = rounded_up(box.width, byte_step);
+  const std::int32_t width = rounded_up(box.width, group);
   const SearchPlane p = plane;
   for (std::int32_t y = 0; y < box.height; ++y)
     mark_row(moved(readings, y * box.stride), width, p, most, hit + y * box.stride);
@@ -186,7 +218,7 @@ SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8
                        std::uint8_t* counts, std::uint8_t* columns) noexcept {
   // A byte counts to 255.
   constexpr std::int32_t most_rows = 255;
-  const std::int32_t width = rounded_up(box.width, byte_step);
+  const std::int32_t width = rounded_up(box.width, group);
   SearchMarks marks;
   for (std::int32_t i = 0; i < width; ++i) counts[i] = columns[i] = 0;
   for (std::int32_t y0 = 0; y0 < box.height; y0 += most_rows) {
@@ -220,7 +252,7 @@ void sum_marked(const SearchReadings& readings, const std::uint8_t* core, const 
     const Lanes a = all(plane.a), b = all(plane.b), c = all(plane.c), middle_u = all(u0), middle_v = all(v0);
     LaneSums s;
     for (std::int32_t y = 0; y < box.height; ++y) {
-      spread_marks(core + y * box.stride, rounded_up(box.width, byte_step), marks);
+      spread_marks(core + y * box.stride, rounded_up(box.width, group), marks);
       for (std::int32_t i = 0; i < box.width; i += search_lanes) {
         const std::ptrdiff_t at = y * box.stride + i;
         if (!any_mark(core + at, l)) continue;
