@@ -82,6 +82,11 @@ struct SearchGate {
   float most_squared = 1;  ///< (residual / gate)²
 };
 
+/// Where readings are put together.
+struct GatheredReadings {
+  float *u = nullptr, *v = nullptr, *q = nullptr, *w = nullptr;
+};
+
 struct SearchOutput {
   float *u = nullptr, *v = nullptr, *q = nullptr, *w = nullptr, *squares = nullptr;
 };
@@ -98,6 +103,12 @@ struct PlaneSearchKernels {
   /// Their sums.
   void (*sum_inliers)(const SearchReadings& readings, std::uint32_t padded, const SearchPlane& plane,
                       float most, SearchSums& sums) noexcept;
+
+  /// Puts the readings (q above 0) of a row one after another, u and v counted from (u0, v0); how many they
+  /// are. Kernels may read up to search_lanes cells after the row, and write as many after what they put
+  /// there.
+  std::uint32_t (*gather_row)(const SearchReadings& row, std::int32_t columns, float u0, float v0,
+                              const GatheredReadings& out) noexcept;
 
   /// Readings of cells that lie one after another, as DepthCells has them: u, v, q, w of each. A cell is one
   /// if it has readings, at most 1e6, its gate does not reach infinity, and the plane that fits it best

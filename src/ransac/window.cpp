@@ -73,21 +73,6 @@ void optimise(const Lattice& lattice, const Window& w, Scored& best) noexcept {
   }
 }
 
-void append_row(const Lattice& lattice, std::size_t first, std::int32_t columns, Window& window) noexcept {
-  const detail::RansacSearchLevel& from = lattice.cells;
-  const auto u0 = static_cast<float>(window.u0), v0 = static_cast<float>(window.v0);
-  std::uint32_t k = window.count;
-  for (std::int32_t c = 0; c < columns; ++c, ++first) {
-    // Written in any case; what is no reading the next one overwrites.
-    window.u[k] = from.u[first] - u0;
-    window.v[k] = from.v[first] - v0;
-    window.q[k] = from.q[first];
-    window.w[k] = from.w[first];
-    k += from.q[first] > 0 ? 1U : 0U;
-  }
-  window.count = k;
-}
-
 /// A window's cells, as far as they are in the picture.
 struct Extent {
   std::int32_t column, row, columns, rows;
@@ -113,8 +98,12 @@ void gather(const Lattice& lattice, std::int32_t column, std::int32_t row, Windo
   window.u0 = column * lattice.cell;
   window.v0 = row * lattice.cell;
   const Extent e(lattice, column, row);
-  for (std::int32_t r = e.row; r < e.row + e.rows; ++r)
-    append_row(lattice, lattice.at(e.column, r), e.columns, window);
+  const auto u0 = static_cast<float>(window.u0), v0 = static_cast<float>(window.v0);
+  for (std::int32_t r = e.row; r < e.row + e.rows; ++r) {
+    const std::uint32_t k = window.count;
+    window.count += lattice.kernels.gather_row(lattice.readings(lattice.at(e.column, r)), e.columns, u0, v0,
+                                               {window.u + k, window.v + k, window.q + k, window.w + k});
+  }
   for (std::uint32_t k = window.count; k < padded(window); ++k) {
     window.u[k] = window.v[k] = 0;
     window.q[k] = no_reading;

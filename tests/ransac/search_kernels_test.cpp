@@ -167,6 +167,39 @@ TEST_CASE("the plain kernels mark and sum cells as their definitions say", "[ran
   }
 }
 
+TEST_CASE("every set of kernels puts the readings of a row one after another", "[ransac]") {
+  constexpr std::size_t room = 2 * search_lanes;
+  constexpr float untouched = -7;
+  for (const KernelSet& set : kernel_sets()) {
+    for (std::int32_t columns = 0; columns <= 50; ++columns) {
+      Pcg32 random(static_cast<std::uint64_t>(columns), 3);
+      Cells cells(64, 1, random);
+      const std::size_t first = cells.place(0, 0);
+      for (std::size_t i = first; i < first + 64; ++i) {
+        const bool is_none = columns % 5 == 1 || (columns % 5 > 1 && random.below(3) == 0);
+        if (is_none) cells.q[i] = random.below(2) == 0 ? 0 : none;
+      }
+      const auto width = static_cast<std::size_t>(columns);
+      std::vector<float> u(width + room, untouched), v = u, q = u, w = u;
+      const std::uint32_t count = set.plane_search->gather_row(cells.at(first), columns, 5, 3,
+                                                               {u.data(), v.data(), q.data(), w.data()});
+      CAPTURE(std::string(set.name), columns);
+      std::uint32_t expected = 0;
+      bool same = true;
+      for (std::size_t i = first; i < first + width; ++i) {
+        if (!(cells.q[i] > 0)) continue;
+        const std::size_t k = expected++;
+        same = same && u[k] == cells.u[i] - 5 && v[k] == cells.v[i] - 3 && q[k] == cells.q[i] &&
+               w[k] == cells.w[i];
+      }
+      CHECK(same);
+      REQUIRE(count == expected);
+      for (std::size_t k = count + search_lanes; k < u.size(); ++k) same = same && u[k] == untouched;
+      CHECK(same);
+    }
+  }
+}
+
 TEST_CASE("every set of kernels scores windows as the plain one", "[ransac]") {
   for (const KernelSet& set : kernel_sets()) {
     for (std::uint32_t count = 3; count <= 200; ++count) {

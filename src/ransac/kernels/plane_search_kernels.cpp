@@ -8,6 +8,7 @@ constinit const PlaneSearchKernels STRAIGHTEDGE_OF_SET(_plane_search_kernels) = 
     .try_triples = STRAIGHTEDGE_KERNEL_SET::try_triples,
     .find_inliers = STRAIGHTEDGE_KERNEL_SET::find_inliers,
     .sum_inliers = STRAIGHTEDGE_KERNEL_SET::sum_inliers,
+    .gather_row = STRAIGHTEDGE_KERNEL_SET::gather_row,
     .take_cells = STRAIGHTEDGE_KERNEL_SET::take_cells,
     .mask_cells = STRAIGHTEDGE_KERNEL_SET::mask_cells,
     .count_readings = STRAIGHTEDGE_KERNEL_SET::count_readings,

@@ -14,6 +14,8 @@ SearchInliers find_inliers(const SearchReadings& readings, std::uint32_t padded,
                            float most) noexcept;
 void sum_inliers(const SearchReadings& readings, std::uint32_t padded, const SearchPlane& plane, float most,
                  SearchSums& sums) noexcept;
+std::uint32_t gather_row(const SearchReadings& row, std::int32_t columns, float u0, float v0,
+                         const GatheredReadings& out) noexcept;
 void take_cells(const SearchCells& cells, std::int32_t count, const SearchGate& gate, float none,
                 const SearchOutput& out) noexcept;
 void mask_cells(const std::uint16_t* labels, std::ptrdiff_t stride, std::int32_t rows, std::int32_t side,
