@@ -183,10 +183,21 @@ struct Level {
   }
   /// The labels that were found, with what is known of them.
   void mark(DepthCellPlanes& found) const noexcept {
+    if (is_finest()) {
+      make_fresh(found.label);
+      return;
+    }
     for (std::size_t i = 0; i < at_once; ++i) {
       const std::uint16_t label = found.label[i];
-      const std::uint16_t marked = is_finest() ? fresh(label) : with_trust(label, trust_in(found.mean[i]));
-      found.label[i] = label == 0 ? label : marked;
+      found.label[i] = label == 0 ? label : with_trust(label, trust_in(found.mean[i]));
+    }
+  }
+  static void make_fresh(std::uint16_t* sixteen) noexcept {
+    static_assert(CellLabeller::fresh == 0x4000, "one below the top bit, which says that there is a label");
+    for (std::int32_t i = 0; i < at_once; i += 4) {
+      std::uint64_t labels = four(sixteen + i);
+      labels |= not_zero(labels & 0x7FFF * four_ones) >> 1U;
+      std::memcpy(sixteen + i, &labels, sizeof labels);
     }
   }
   static std::uint16_t fresh(std::uint16_t label) noexcept {
@@ -204,8 +215,8 @@ struct Level {
     for (std::size_t i = 0; i < undecided.count; ++i) *undecided.label[i] = found.label[i];
     undecided.count = 0;
   }
-  void write_row(Group& group, std::int32_t x, std::int32_t y) const noexcept {
-    const std::uint32_t free = free_in_row(x, y);
+  /// `free`: as free_in_row.
+  void write_row(Group& group, std::int32_t x, std::int32_t y, std::uint32_t free) const noexcept {
     if (free == 0) return;
     std::uint16_t* out = row(x, y);
     const auto place = static_cast<std::size_t>(out - labels_of(level).data());
@@ -237,14 +248,15 @@ struct Level {
     rough(x, y) = static_cast<std::uint16_t>(rough(x, y) | (none & task.open & ~later));
   }
   void label_below(std::int32_t X, std::int32_t Y) const noexcept {
-    const std::int32_t bottom = std::min(2 * Y + 2, work.cells.size(level).height);
-    std::uint32_t free = 0;
-    for (std::int32_t y = 2 * Y; y < bottom; ++y) free |= free_in_row(2 * X, y);
-    if (free == 0) return;
+    const std::int32_t x = 2 * X, y = 2 * Y;
+    const std::uint32_t upper = free_in_row(x, y);
+    const std::uint32_t lower = y + 1 < work.cells.size(level).height ? free_in_row(x, y + 1) : 0;
+    if ((upper | lower) == 0) return;
     Group group;
     begin(group.task);
     open(X, Y, group);
-    for (std::int32_t y = 2 * Y; y < bottom; ++y) write_row(group, 2 * X, y);
+    write_row(group, x, y, upper);
+    write_row(group, x, y + 1, lower);
   }
   void label_coarsest() const noexcept {
     const Size size = work.cells.size(level);
@@ -252,7 +264,7 @@ struct Level {
     begin(group.task);
     group.open = 0xFFFF;
     for (std::int32_t y = 0; y < size.height; ++y) {
-      for (std::int32_t x = 0; x < size.width; x += at_once) write_row(group, x, y);
+      for (std::int32_t x = 0; x < size.width; x += at_once) write_row(group, x, y, free_in_row(x, y));
     }
   }
   void label_finer() const noexcept {

@@ -23,15 +23,24 @@ inline void clear_bits(std::span<std::uint16_t> labels, std::uint16_t bits) noex
   for (std::uint16_t& label : labels) label = static_cast<std::uint16_t>(label & ~bits);
 }
 
+/// Four bits as four labels: 65535 or 0.
+constexpr std::uint64_t masks_of(std::uint32_t bits) noexcept {
+  constexpr std::uint64_t apart = 1ULL | (1ULL << 15U) | (1ULL << 30U) | (1ULL << 45U);
+  return ((bits & 0xFU) * apart & four_ones) * 0xFFFFU;
+}
+
 /// Writes those of sixteen labels whose bits are set, of the first `count`. Without a branch for each: along
 /// borders nobody can foresee them.
 inline void write_some(const std::uint16_t* labels, std::uint32_t bits, std::int32_t count,
                        std::uint16_t* to) noexcept {
-  constexpr std::uint16_t all = 0xFFFF;
-  for (std::int32_t i = 0; i < (count < 16 ? count : 16); ++i) {
-    const auto mask = static_cast<std::uint16_t>((bits >> static_cast<std::uint32_t>(i) & 1U) * all);
-    to[i] = static_cast<std::uint16_t>((to[i] & ~mask) | (labels[i] & mask));
+  const std::int32_t most = count < 16 ? count : 16;
+  std::int32_t i = 0;
+  for (; i + 4 <= most; i += 4) {
+    const std::uint64_t masks = masks_of(bits >> static_cast<std::uint32_t>(i));
+    const std::uint64_t both = (four(to + i) & ~masks) | (four(labels + i) & masks);
+    std::memcpy(to + i, &both, sizeof both);
   }
+  for (; i < most; ++i) to[i] = (bits >> static_cast<std::uint32_t>(i) & 1U) != 0 ? labels[i] : to[i];
 }
 
 /// The top bits of those that are not 0; none may have that bit.

@@ -60,17 +60,18 @@ void mark_whole(const DepthWholeCells& task, const DepthSurfaces& surfaces, std:
     LabelledCells cells(task.at, first);
     std::uint16_t* of = labels + first;
     const std::uint16_t* own = task.own + first;
-    const std::int32_t plane = (of[0] == DepthWholeCells::border ? own[0] : of[0]) - 1;
-    std::int32_t some = 0, differ = 0;
+    std::int32_t greatest = 0, differ = 0;
     for (std::int32_t i = 0; i < count; ++i) {
       const std::int32_t label = of[i] == DepthWholeCells::border ? own[i] : of[i];
       cells.plane[i] = label - 1;
-      some |= label;
-      differ |= plane ^ (label - 1);
+      greatest = label > greatest ? label : greatest;
     }
-    if (some == 0) continue;
+    if (greatest == 0) continue;
+    // What cells without a plane are given does not matter.
+    for (std::int32_t i = 0; i < count; ++i)
+      differ |= cells.plane[i] < 0 ? 0 : cells.plane[i] ^ (greatest - 1);
     if (differ == 0) {
-      cells.find_squares(OneSurface(surfaces, plane), count);
+      cells.find_squares(OneSurface(surfaces, greatest - 1), count);
     } else {
       cells.find_squares(OwnSurfaces{surfaces, cells.plane}, count);
     }
