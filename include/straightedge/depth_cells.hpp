@@ -41,6 +41,10 @@ class DepthCells {
   static constexpr std::size_t cell_count(Size cells) noexcept {
     return static_cast<std::size_t>(cells.width) * static_cast<std::size_t>(cells.height);
   }
+  /// Where cell (x, y) is among so many.
+  static constexpr std::size_t place_of(Size cells, std::int32_t x, std::int32_t y) noexcept {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(cells.width) + static_cast<std::size_t>(x);
+  }
 
   /// Takes its memory; an arena that only counts serves too. Levels below `finest` (0 to 2) are left out:
   /// they have no cells.
@@ -65,8 +69,9 @@ class DepthCells {
   /// that they are made of, and the larger cells that are whole with it.
   void build_row(ImageView<const float> inverse_depth, std::int32_t y,
                  const DepthKernels& kernels = plain_depth_kernels) noexcept;
-  /// Step 2 alone, after cells of the finest level were changed.
-  void sum_up(const DepthKernels& kernels = plain_depth_kernels) noexcept;
+  /// Step 2 alone, after cells of rows [top, bottom) of the finest level were changed.
+  void sum_up(std::int32_t top, std::int32_t bottom,
+              const DepthKernels& kernels = plain_depth_kernels) noexcept;
 
   int finest() const noexcept { return finest_; }
   double middle_u() const noexcept { return middle_u_; }

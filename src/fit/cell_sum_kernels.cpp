@@ -28,13 +28,18 @@ Lanes spread(const float* numbers) noexcept {
 }
 
 /// Three whole numbers in one float, exactly: what a reading counts for in n, n_below and n_triangles of its
-/// column, `rows` from its end.
+/// column, by its row from the end.
 constexpr std::int32_t below_shift = 5, triangles_shift = 13;
-constexpr float counts_of(std::int32_t rows) noexcept {
-  return static_cast<float>(1 + (rows << below_shift) + (rows * (rows + 1) / 2 << triangles_shift));
-}
-/// A column has 16 rows at most, so n, and the sums over them of `rows` and of rows (rows + 1) / 2, are at
-/// most:
+struct Counts {
+  float of[17];
+
+  constexpr Counts() noexcept : of{} {
+    for (std::int32_t rows = 1; rows <= 16; ++rows)
+      of[rows] = static_cast<float>(1 + (rows << below_shift) + (rows * (rows + 1) / 2 << triangles_shift));
+  }
+};
+constexpr Counts counts_of;
+// The most that a column of 16 rows counts for.
 static_assert(16 < 1 << below_shift && 136 < 1 << (triangles_shift - below_shift) &&
               816 << triangles_shift < 1 << 24);
 
@@ -71,7 +76,7 @@ struct ColumnSums {
       sum += above;
       sum_below += sum;
       squares += above * above;
-      counts = good ? counts + all(counts_of(side - v)) : counts;
+      counts = good ? counts + all(counts_of.of[side - v]) : counts;
     }
     store(q + x, sum);
     store(qq + x, squares);

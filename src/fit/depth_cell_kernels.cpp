@@ -87,7 +87,7 @@ void join_cells(const DepthCellRows& from, std::ptrdiff_t below, std::int32_t ce
   };
   std::int32_t first = 0;
   for (; first + lanes <= cells; first += lanes) join(first);
-  if (first == cells) return;
+  if (lanes == 1 || first == cells) return;
   if (cells > lanes) {
     join(cells - lanes);  // some of them once more
   } else {

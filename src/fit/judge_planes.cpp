@@ -26,19 +26,6 @@ double solid_pixels(Size size, const FramePlanesOptions& options) noexcept {
   return std::min(cells * options.cell * options.cell, static_cast<double>(least_pixels(size, options)));
 }
 
-/// Step 2 of depth_cells.hpp for what rows [top, bottom) of the smallest cells are part of.
-void sum_up_rows(const DepthCells& cells, std::int32_t top, std::int32_t bottom,
-                 const DepthKernels& kernels) noexcept {
-  for (int fine = cells.finest(); fine + 1 < DepthCells::levels; ++fine) {
-    const Size from = cells.size(fine), to = cells.size(fine + 1);
-    top /= 2;
-    bottom = (bottom + 1) / 2;
-    const Size band{from.width, std::min(2 * bottom, from.height) - 2 * top};
-    join_cells(cells.rows(fine, static_cast<std::size_t>(2 * top * from.width)), band,
-               cells.rows(fine + 1, static_cast<std::size_t>(top * to.width)), kernels);
-  }
-}
-
 }  // namespace
 
 void FramePlanes::count_solid(const PinholeCamera& camera) noexcept {
@@ -91,7 +78,7 @@ void FramePlanes::clear_round() noexcept {
     top = std::min(top, begin / width);
     bottom = begin / width + 1;
   });
-  if (top < bottom) sum_up_rows(cells_, top, bottom, *options_.kernels);
+  if (top < bottom) cells_.sum_up(top, bottom, *options_.kernels);
 }
 
 void FramePlanes::clear_cells(std::int32_t begin, std::int32_t end) noexcept {

@@ -60,9 +60,16 @@ Nearest nearest(const DepthChoice& square, const Lanes& u, const Lanes& v, const
 /// Three whole numbers in one float, exactly: of nine pixels how many count, and the sums of their columns
 /// and rows, each 0, 1 or 2.
 constexpr std::int32_t column_shift = 4, row_shift = 9;
-constexpr float counts_of(std::int32_t column, std::int32_t row) noexcept {
-  return static_cast<float>(1 + (column << column_shift) + (row << row_shift));
-}
+struct Counts {
+  float of[3][3];
+
+  constexpr Counts() noexcept : of{} {
+    for (std::int32_t row = 0; row < 3; ++row)
+      for (std::int32_t column = 0; column < 3; ++column)
+        of[row][column] = static_cast<float>(1 + (column << column_shift) + (row << row_shift));
+  }
+};
+constexpr Counts counts_of;
 
 /// The nearest to the mean of the 3x3 pixels around each one that lie on its surface.
 Nearest nearest_to_mean(const DepthChoice& square, std::int32_t first, const Lanes& q,
@@ -73,7 +80,7 @@ Nearest nearest_to_mean(const DepthChoice& square, std::int32_t first, const Lan
       const Lanes other = moved(square.around, first, i, j), r = other - q;
       const auto counts = (other > all(0)) & (r <= limit) & (r >= -limit);
       sum = counts ? sum + other : sum;
-      counted = counts ? counted + all(counts_of(i, j)) : counted;
+      counted = counts ? counted + all(counts_of.of[j][i]) : counted;
     }
   }
   const Wholes wholes = in_wholes(counted), n = wholes & ((1 << column_shift) - 1);

@@ -149,7 +149,7 @@ TEST_CASE("what is not above zero is no reading") {
   CHECK(built.cells.moments(3, DepthCells::cell_count(built.cells.size(3)) - 1).n == 1);
 }
 
-TEST_CASE("sum_up carries a change of the smallest cells to the larger ones") {
+TEST_CASE("sum_up carries a change of the smallest cells to the larger ones, in the rows it is told") {
   const Size size{67, 45};
   Pcg32 random(5);
   auto image = random_depth(size, 0.2, random);
@@ -164,8 +164,17 @@ TEST_CASE("sum_up carries a change of the smallest cells to the larger ones") {
     }
   }
   CHECK(wrong_cells(built.cells, image.view()) > 0);
-  built.cells.sum_up();
+  built.cells.sum_up(0, cells.height);
   CHECK(wrong_cells(built.cells, image.view()) == 0);
+  // Each row alone.
+  for (const int y : {0, 5, int{cells.height} - 1}) {
+    built.cells.set(0, static_cast<std::size_t>(y * cells.width + 3), {});
+    for (int j = 4 * y; j < std::min<std::int32_t>(4 * y + 4, size.height); ++j)
+      for (int i = 12; i < 16; ++i) image.at(i, j) = 0;
+    CHECK(wrong_cells(built.cells, image.view()) > 0);
+    built.cells.sum_up(y, y + 1);
+    CHECK(wrong_cells(built.cells, image.view()) == 0);
+  }
 }
 
 TEST_CASE("squared residuals from a plane follow from a cell alone") {
