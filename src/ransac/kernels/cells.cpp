@@ -57,33 +57,39 @@ Bytes three(const std::uint8_t* marks) noexcept {
                             load_bytes<Bytes>(marks + 1));
 }
 
+/// Of a few columns and so many rows, fewer than a byte counts; how many marks each column keeps.
 template <class Bytes>
-void keep(const std::uint8_t* hit, std::ptrdiff_t stride, std::uint8_t* core, std::uint8_t* counts) noexcept {
-  const Bytes none{}, enough = static_cast<Bytes>(none + least_neighbours), own = load_bytes<Bytes>(hit);
-  const Bytes near =
-      static_cast<Bytes>(three<Bytes>(hit - stride) + three<Bytes>(hit) + three<Bytes>(hit + stride) - own);
-  const Bytes kept = near >= enough ? own : none;
-  const Bytes sum = static_cast<Bytes>(load_bytes<Bytes>(counts) + kept);
-  std::memcpy(core, &kept, sizeof kept);
-  std::memcpy(counts, &sum, sizeof sum);
+void keep_columns(const std::uint8_t* hit, std::ptrdiff_t stride, std::int32_t rows, std::uint8_t* core,
+                  std::uint8_t* counts) noexcept {
+  const Bytes none{}, enough = static_cast<Bytes>(none + least_neighbours);
+  Bytes above = three<Bytes>(hit - stride), here = three<Bytes>(hit), count = none;
+  for (std::int32_t y = 0; y < rows; ++y, hit += stride, core += stride) {
+    const Bytes own = load_bytes<Bytes>(hit), below = three<Bytes>(hit + stride);
+    const Bytes near = static_cast<Bytes>(above + here + below - own);
+    const Bytes kept = near >= enough ? own : none;
+    std::memcpy(core, &kept, sizeof kept);
+    count = static_cast<Bytes>(count + kept);
+    above = here;
+    here = below;
+  }
+  std::memcpy(counts, &count, sizeof count);
 }
 
-void keep_row(const std::uint8_t* hit, std::ptrdiff_t stride, std::int32_t count, std::uint8_t* core,
-              std::uint8_t* counts) noexcept {
+void keep_rows(const std::uint8_t* hit, std::ptrdiff_t stride, std::int32_t rows, std::int32_t width,
+               std::uint8_t* core, std::uint8_t* counts) noexcept {
   constexpr auto wide = static_cast<std::int32_t>(sizeof(Register));
   std::int32_t i = 0;
-  for (; i + group < count; i += wide) keep<Register>(hit + i, stride, core + i, counts + i);
-  for (; i < count; i += group) keep<Group>(hit + i, stride, core + i, counts + i);
+  for (; i + group < width; i += wide) keep_columns<Register>(hit + i, stride, rows, core + i, counts + i);
+  for (; i < width; i += group) keep_columns<Group>(hit + i, stride, rows, core + i, counts + i);
 }
 
-/// Adds the counts up, which begin anew.
-std::uint32_t collect(std::uint8_t* __restrict counts, std::int32_t count,
+/// Adds the counts up.
+std::uint32_t collect(const std::uint8_t* __restrict counts, std::int32_t count,
                       std::uint8_t* __restrict columns) noexcept {
   std::uint32_t sum = 0;
   for (std::int32_t i = 0; i < count; ++i) {
     sum += counts[i];
     columns[i] = static_cast<std::uint8_t>(columns[i] | counts[i]);
-    counts[i] = 0;
   }
   return sum;
 }
@@ -220,15 +226,11 @@ SearchMarks keep_dense(const std::uint8_t* hit, const SearchBox& box, std::uint8
   constexpr std::int32_t most_rows = 255;
   const std::int32_t width = rounded_up(box.width, group);
   SearchMarks marks;
-  for (std::int32_t i = 0; i < width; ++i) counts[i] = columns[i] = 0;
-  for (std::int32_t y0 = 0; y0 < box.height; y0 += most_rows) {
-    const std::int32_t end = box.height - y0 > most_rows ? y0 + most_rows : box.height;
-    for (std::int32_t y = y0; y < end; ++y) {
-      const std::uint8_t* row = hit + y * box.stride;
-      keep_row(row, box.stride, width, core + y * box.stride, counts);
-    }
-    for (std::int32_t i = box.width; i < width; ++i) counts[i] = 0;
-    marks.cells += collect(counts, width, columns);
+  for (std::int32_t i = 0; i < width; ++i) columns[i] = 0;
+  for (std::int32_t y = 0; y < box.height; y += most_rows) {
+    const std::int32_t left = box.height - y, rows = left < most_rows ? left : most_rows;
+    keep_rows(hit + y * box.stride, box.stride, rows, width, core + y * box.stride, counts);
+    marks.cells += collect(counts, box.width, columns);
   }
   if (marks.cells == 0) return marks;
   marks.end_row = box.height;
