@@ -30,10 +30,17 @@ struct CellLanes {
   }
   /// Squared residuals of all readings from surface k.
   Lanes squares(const DepthSurfaces& s, std::int32_t k) const noexcept {
+    // What a search proposes is flat.
+    const bool is_flat = (s.xx[k] == 0) & (s.xy[k] == 0) & (s.yy[k] == 0);
+    if (is_flat) return squares_of(q - ((s.c[k] + s.x[k] * u) + s.y[k] * v), s.x[k], s.y[k]);
     const Lanes a = (s.x[k] + (2 * s.xx[k]) * u) + s.xy[k] * v;
     const Lanes b = (s.y[k] + s.xy[k] * u) + (2 * s.yy[k]) * v;
-    const Lanes r = off(s, k), none = all(0);
-    const Lanes mixed = a * uq + b * vq;
+    return squares_of(off(s, k), a, b);
+  }
+  /// From the residual of the means and the slopes.
+  template <class Slope>
+  Lanes squares_of(const Lanes& r, const Slope& a, const Slope& b) const noexcept {
+    const Lanes none = all(0), mixed = a * uq + b * vq;
     const Lanes square = a * (a * uu + (b + b) * uv) + (b * b) * vv;
     const Lanes sum = n * (r * r) + ((qq - (mixed + mixed)) + square);
     return sum < none ? none : sum;
