@@ -119,6 +119,10 @@ struct DepthKernels {
   /// Readings within the gate get the label, all others 0; how many got it.
   std::int32_t (*label_block)(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride) noexcept;
 
+  /// Label k becomes by[k], and so for all labels of a row, which are below `names`; so is each by[k].
+  void (*rename_row)(std::uint16_t* labels, std::int32_t count, const std::uint16_t* by,
+                     std::int32_t names) noexcept;
+
   /// What the labels of cells and of those around them in three rows are: 0, the only one beside 0, or 65535:
   /// several. Outside of the rows there are none.
   void (*look_around)(const std::uint16_t* above, const std::uint16_t* here, const std::uint16_t* below,

@@ -87,6 +87,7 @@ constinit const DepthKernels STRAIGHTEDGE_OF_SET(_depth_kernels) = {
     .mark_whole = STRAIGHTEDGE_KERNEL_SET::mark_whole,
     .spread_labels = STRAIGHTEDGE_KERNEL_SET::spread_labels,
     .label_block = STRAIGHTEDGE_KERNEL_SET::label_block,
+    .rename_row = STRAIGHTEDGE_KERNEL_SET::rename_row,
     .look_around = STRAIGHTEDGE_KERNEL_SET::look_around,
     .choose = STRAIGHTEDGE_KERNEL_SET::choose,
 };

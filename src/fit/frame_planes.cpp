@@ -118,7 +118,7 @@ void FramePlanes::keep() noexcept {
 void FramePlanes::rename_cells(std::span<const std::uint16_t> by) noexcept {
   if (detail::changes_nothing(by)) return;
   for (int level = cells_.finest(); level < DepthCells::levels; ++level) {
-    detail::rename(cell_labels_[static_cast<std::size_t>(level)], by);
+    detail::rename(cell_labels_[static_cast<std::size_t>(level)], by, *options_.kernels);
   }
 }
 
@@ -254,7 +254,7 @@ Status FramePlanes::finish(const DepthView& depth, ImageView<std::uint16_t> labe
     found.labelled += plane.inliers;
   }
   detail::rename(labels, {cells_.size(cells_.finest()), options_.cell, labels_of_cells},
-                 new_label_.first(count_ + 1U));
+                 new_label_.first(count_ + 1U), *options_.kernels);
   return status;
 }
 

@@ -3,27 +3,10 @@
 #include "rename_labels.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 namespace straightedge::detail {
 namespace {
-
-/// Labels that are not in `changed` stay.
-void rename_some(std::span<std::uint16_t> row, std::span<const std::uint16_t> changed,
-                 std::span<const std::uint16_t> by) noexcept {
-  constexpr std::size_t at_once = 128;
-  std::array<std::uint16_t, at_once> before;
-  for (std::size_t x = 0; x < row.size(); x += at_once) {
-    std::uint16_t* labels = row.data() + x;
-    const std::size_t width = std::min(at_once, row.size() - x);
-    std::copy(labels, labels + width, before.begin());
-    for (const std::uint16_t from : changed) {
-      const std::uint16_t to = by[from];
-      for (std::size_t i = 0; i < width; ++i) labels[i] = before[i] == from ? to : labels[i];
-    }
-  }
-}
 
 /// Cells [left, right) of a row; none where right is not above left.
 struct Part {
@@ -50,16 +33,10 @@ Part changing(const LabelCells& cells, std::span<const std::uint16_t> by, std::i
 
 }  // namespace
 
-void rename(std::span<std::uint16_t> cells, std::span<const std::uint16_t> by) noexcept {
-  constexpr std::size_t at_once = 16;
-  std::uint16_t* next = cells.data();
-  for (; cells.size() >= at_once; cells = cells.subspan(at_once), next += at_once) {
-    // All are read before any is written: then a processor need not ask whether a name was changed.
-    std::array<std::uint16_t, at_once> some;
-    for (std::size_t i = 0; i < at_once; ++i) some[i] = by[next[i]];
-    std::copy(some.begin(), some.end(), next);
-  }
-  for (std::uint16_t& cell : cells) cell = by[cell];
+void rename(std::span<std::uint16_t> cells, std::span<const std::uint16_t> by,
+            const DepthKernels& kernels) noexcept {
+  kernels.rename_row(cells.data(), static_cast<std::int32_t>(cells.size()), by.data(),
+                     static_cast<std::int32_t>(by.size()));
 }
 
 bool changes_nothing(std::span<const std::uint16_t> by) noexcept {
@@ -69,17 +46,9 @@ bool changes_nothing(std::span<const std::uint16_t> by) noexcept {
   return true;
 }
 
-void rename(ImageView<std::uint16_t> labels, const LabelCells& cells,
-            std::span<const std::uint16_t> by) noexcept {
-  constexpr std::size_t few = 3;
-  std::array<std::uint16_t, few> changed;
-  std::size_t count = 0;
-  for (std::size_t label = 0; label < by.size(); ++label) {
-    if (by[label] == label) continue;
-    if (count < few) changed[count] = static_cast<std::uint16_t>(label);
-    ++count;
-  }
-  if (count == 0) return;
+void rename(ImageView<std::uint16_t> labels, const LabelCells& cells, std::span<const std::uint16_t> by,
+            const DepthKernels& kernels) noexcept {
+  if (changes_nothing(by)) return;
   Part above = changing(cells, by, -1), here = changing(cells, by, 0);
   for (std::int32_t cell = 0; cell < cells.size.height; ++cell) {
     const Part below = changing(cells, by, cell + 1);
@@ -94,11 +63,7 @@ void rename(ImageView<std::uint16_t> labels, const LabelCells& cells,
                        bottom = std::min((cell + 1) * cells.side, labels.height);
     for (std::int32_t y = cell * cells.side; y < bottom; ++y) {
       const std::span<std::uint16_t> row(labels.row(y) + left, static_cast<std::size_t>(right - left));
-      if (count > few) {
-        rename(row, by);
-      } else {
-        rename_some(row, std::span(changed).first(count), by);
-      }
+      rename(row, by, kernels);
     }
   }
 }

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <span>
 
+#include "straightedge/depth_kernels.hpp"
 #include "straightedge/image.hpp"
 
 /// Label k becomes by[k].
 namespace straightedge::detail {
 
-void rename(std::span<std::uint16_t> cells, std::span<const std::uint16_t> by) noexcept;
+void rename(std::span<std::uint16_t> cells, std::span<const std::uint16_t> by,
+            const DepthKernels& kernels) noexcept;
 
 /// Cells of a picture, which label its pixels: only their planes, and those of cells around, are in a cell.
 struct LabelCells {
@@ -19,10 +21,9 @@ struct LabelCells {
   std::span<const std::uint16_t> labels;
 };
 
-/// The same for pixels, where it pays to look only for what changes, and only where it may be: little, as a
-/// rule.
-void rename(ImageView<std::uint16_t> labels, const LabelCells& cells,
-            std::span<const std::uint16_t> by) noexcept;
+/// The same for pixels, where any of them may change: in few places, as a rule.
+void rename(ImageView<std::uint16_t> labels, const LabelCells& cells, std::span<const std::uint16_t> by,
+            const DepthKernels& kernels) noexcept;
 
 bool changes_nothing(std::span<const std::uint16_t> by) noexcept;
 

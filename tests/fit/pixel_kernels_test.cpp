@@ -122,6 +122,21 @@ TEST_CASE("a row of cells gives its pixels the labels of whole cells, in every s
   });
 }
 
+TEST_CASE("every set of kernels gives the labels of a row their new names") {
+  for_sets_and_seeds(300, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t seed) {
+    const std::uint32_t names = seed % 3 == 0 ? 257 : 1 + random.below(70);
+    std::vector<std::uint16_t> by(names), before(random.below(200));
+    for (std::uint16_t& name : by) name = static_cast<std::uint16_t>(random.below(names));
+    for (std::uint16_t& label : before) label = static_cast<std::uint16_t>(random.below(names));
+    std::vector<std::uint16_t> labels = before;
+    labels.push_back(4711);
+    kernels.rename_row(labels.data(), static_cast<std::int32_t>(before.size()), by.data(),
+                       static_cast<std::int32_t>(names));
+    for (std::size_t x = 0; x < before.size(); ++x) REQUIRE(labels[x] == by[before[x]]);
+    REQUIRE(labels.back() == 4711);
+  });
+}
+
 TEST_CASE("every set of kernels chooses as the plain one") {
   for_sets_and_seeds(2000, [](const DepthKernels& kernels, Pcg32& random, std::uint64_t) {
     Square around;
