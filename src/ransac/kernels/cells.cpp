@@ -243,7 +243,12 @@ void empty_marked(const std::uint8_t* core, const SearchBox& box, float none, fl
   for (std::int32_t y = 0; y < box.height; ++y) {
     const std::uint8_t* marks = core + y * box.stride;
     float* row = q + y * box.stride;
+#if STRAIGHTEDGE_LANES == 16
+    for (std::int32_t i = 0; i < box.width; i += lanes)
+      store(row + i, load_marks(marks + i, nullptr) > all(0) ? all(none) : load(row + i));
+#else
     for (std::int32_t i = 0; i < box.width; ++i) row[i] = marks[i] != 0 ? none : row[i];
+#endif
   }
 }
 
