@@ -125,11 +125,12 @@ inline void sum_columns(const PlaneRow& row, const PixelPlane& plane, const Span
   const auto step = static_cast<float>(plane.by_u * scale);
   const auto label = static_cast<std::int32_t>(span.label);
   const std::int32_t far_off = bits_of(static_cast<float>(plane.far_off));
+  double down[side];
+  for (std::int32_t y = 0; y < side; ++y) down[y] = plane.by_v * (row.v + y) + plane.constant;
   for (std::int32_t x = side * span.begin / at_once * at_once; x < side * span.end; x += at_once) {
+    const double along = plane.by_u * (row.u + x);
     float first[side];  // beyond = raw · (first + step · lane) − distance
-    for (std::int32_t y = 0; y < side; ++y)
-      first[y] = static_cast<float>((plane.by_u * (row.u + x) + (plane.by_v * (row.v + y) + plane.constant)) *
-                                    scale);
+    for (std::int32_t y = 0; y < side; ++y) first[y] = static_cast<float>((along + down[y]) * scale);
     for (std::int32_t lane = 0; lane < at_once; ++lane) {
       std::int32_t readings = 0;
       float residual = 0;
