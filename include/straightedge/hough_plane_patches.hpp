@@ -19,6 +19,11 @@ namespace straightedge {
 
 namespace detail {
 
+/// Squared residuals of a candidate's readings: from its own plane and from the nearest rival's.
+struct HoughContest {
+  double own = 0, rival = 0;
+};
+
 struct HoughPatchMemory {
   DepthCells cells;         ///< squares of 8, 16 and 32 pixels
   DepthCellRows largest;    ///< squares of 64 pixels
@@ -27,6 +32,7 @@ struct HoughPatchMemory {
   std::span<HoughPatchMean> means;
   std::span<HoughPlanePeak> peaks;
   std::span<ProposedPlane> candidates;
+  std::span<HoughContest> contests;  ///< of each candidate
   HoughAccumulator accumulator;
 
   static constexpr std::size_t squares(Size size, std::int32_t side) noexcept {
@@ -42,6 +48,7 @@ struct HoughPatchMemory {
     means = arena.take<HoughPatchMean>(squares(size, hough_patch_side));
     peaks = arena.take<HoughPlanePeak>(2 * static_cast<std::size_t>(options.max_candidates));
     candidates = arena.take<ProposedPlane>(static_cast<std::size_t>(options.max_candidates));
+    contests = arena.take<HoughContest>(static_cast<std::size_t>(options.max_candidates));
     accumulator.take(arena, options.accumulator);
   }
 };

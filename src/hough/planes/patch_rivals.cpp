@@ -34,10 +34,7 @@ Rivals rivals_at(const PatchScene& scene, const HoughPatch& patch, std::span<con
   return rivals;
 }
 
-/// Squared residuals of some readings: of the plane itself and of the nearest rival's.
-struct Contest {
-  double own = 0, rival = 0;
-};
+using Contest = detail::HoughContest;
 
 double squared(const InverseDepthPlane& plane, std::int32_t x, std::int32_t y, double q,
                double most) noexcept {
@@ -77,27 +74,28 @@ void add_patch(const PatchScene& scene, const DepthInput& input, const HoughPatc
   contest.rival += sum.rival * weight / (readings * most);
 }
 
-/// Is candidate `number` as well explained by those with more readings? `readings` 0: a candidate that left.
-bool explained(const PatchScene& scene, const DepthInput& input, std::span<const HoughPatch> patches,
-               std::span<const ProposedPlane> candidates, std::uint32_t number) noexcept {
-  Contest contest;
-  for (const HoughPatch& patch : patches) {
-    if (patch.candidate != number + 1) continue;
-    const Rivals rivals = rivals_at(scene, patch, candidates, number);
-    add_patch(scene, input, patch, candidates[number].fit.plane, rivals, contest);
-  }
+/// Is a candidate as well explained by those with more readings?
+bool explained(const Contest& contest) noexcept {
   return contest.rival <= contest.own * rival_ratio;
 }
 
 }  // namespace
 
 std::uint32_t drop_explained(const PatchScene& scene, const DepthInput& input,
-                             std::span<const HoughPatch> patches,
-                             std::span<ProposedPlane> candidates) noexcept {
+                             std::span<const HoughPatch> patches, std::span<ProposedPlane> candidates,
+                             std::span<Contest> contests) noexcept {
   const auto count = static_cast<std::uint32_t>(candidates.size());
+  for (Contest& contest : contests.first(count)) contest = {};
+  for (const HoughPatch& patch : patches) {
+    if (patch.candidate == 0) continue;
+    const std::uint32_t number = patch.candidate - 1U;
+    const Rivals rivals = rivals_at(scene, patch, candidates, number);
+    add_patch(scene, input, patch, candidates[number].fit.plane, rivals, contests[number]);
+  }
   std::uint32_t last = 0;
   for (std::uint32_t turn = 0; turn < count; ++turn) {
-    // The one with fewest readings among those with more than the last one had.
+    // The one with fewest readings among those with more than the last one had. One that left has none: it
+    // had fewer than those whose turn is to come, and was nobody's rival any more.
     std::uint32_t next = count;
     for (std::uint32_t i = 0; i < count; ++i) {
       if (candidates[i].readings <= last) continue;
@@ -105,7 +103,7 @@ std::uint32_t drop_explained(const PatchScene& scene, const DepthInput& input,
     }
     if (next == count) break;
     last = candidates[next].readings;
-    if (explained(scene, input, patches, candidates, next)) candidates[next].readings = 0;
+    if (explained(contests[next])) candidates[next].readings = 0;
   }
   std::uint32_t left = 0;
   for (const ProposedPlane& candidate : candidates) {

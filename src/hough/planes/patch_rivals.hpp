@@ -12,9 +12,9 @@ namespace straightedge::hough {
 
 /// Step 7 of hough_plane_patches.hpp: takes out candidates that others explain, those with few readings
 /// first. Returns how many are left; they keep their order. Patches name candidates as they were counted
-/// before.
+/// before. `contests`: room for one a candidate.
 std::uint32_t drop_explained(const PatchScene& scene, const DepthInput& input,
-                             std::span<const HoughPatch> patches,
-                             std::span<ProposedPlane> candidates) noexcept;
+                             std::span<const HoughPatch> patches, std::span<ProposedPlane> candidates,
+                             std::span<detail::HoughContest> contests) noexcept;
 
 }  // namespace straightedge::hough

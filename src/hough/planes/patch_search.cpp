@@ -187,7 +187,7 @@ HoughPatchResult HoughPatchSearch::run(ImageView<const float> inverse_depth, con
   result.votes = search.votes;
   // Step 7.
   const std::uint32_t left =
-      hough::drop_explained(scene, input, patches, memory_.candidates.first(search.found));
+      hough::drop_explained(scene, input, patches, memory_.candidates.first(search.found), memory_.contests);
   sort(memory_.candidates.first(left));
   for (const ProposedPlane& candidate : memory_.candidates.first(left)) {
     if (result.candidates == candidates.size()) {
