@@ -17,8 +17,9 @@
 namespace straightedge::detail {
 
 /// Some rows of a picture, and what is needed to find their edges without a look at the others' work: a
-/// recipe that begins some rows above them and ends some rows below, as a picture of its own.
-struct CannyStripe {
+/// recipe that begins some rows above them and ends some rows below, as a picture of its own. In lines of the
+/// cache of its own too: threads write into theirs with each row.
+struct alignas(Arena::alignment) CannyStripe {
   std::int32_t first_read = 0, end_read = 0;  ///< rows that the recipe is given
   std::int32_t begin = 0, end = 0;            ///< rows whose classes count
   CannyRowRecipe recipe;
