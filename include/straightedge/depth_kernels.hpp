@@ -119,7 +119,7 @@ struct DepthKernels {
   /// Readings within the gate get the label, all others 0; how many got it.
   std::int32_t (*label_block)(const DepthBlock& block, std::uint16_t* labels, std::ptrdiff_t stride) noexcept;
 
-  /// Label k becomes by[k], and so for all labels of a row, which are below `names`; so is each by[k].
+  /// Each label k of a row becomes by[k]. Both are below `names`.
   void (*rename_row)(std::uint16_t* labels, std::int32_t count, const std::uint16_t* by,
                      std::int32_t names) noexcept;
 

@@ -17,7 +17,7 @@
 namespace straightedge::detail {
 
 /// The free readings of a window, ready to be drawn from and scored. Pixels count from (u0, v0). What fills
-/// the last group of sixteen up is far from every plane. The last of thirteen rows may be written as sixteen.
+/// the last group of sixteen up is far from every plane. A row of thirteen may be written as sixteen.
 struct RansacWindow {
   static constexpr std::uint32_t capacity = 176;
   float u[capacity], v[capacity], q[capacity], w[capacity];

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
 #include "base/lane_pairs.hpp"
+#include "base/three_counts.hpp"
 #include "depth_cell_kernels.hpp"
 
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
@@ -27,21 +28,19 @@ Lanes spread(const float* numbers) noexcept {
 #endif
 }
 
-/// Three whole numbers in one float, exactly: what a reading counts for in n, n_below and n_triangles of its
-/// column, by its row from the end.
-constexpr std::int32_t below_shift = 5, triangles_shift = 13;
-struct Counts {
+/// Of n, n_below and n_triangles in a column of up to 16 rows: 16, 136 and 816 at most.
+using ColumnCounts = ThreeCounts<5, 13>;
+
+/// What a reading counts for, by its row from the end.
+struct ReadingCounts {
   float of[17];
 
-  constexpr Counts() noexcept : of{} {
+  constexpr ReadingCounts() noexcept : of{} {
     for (std::int32_t rows = 1; rows <= 16; ++rows)
-      of[rows] = static_cast<float>(1 + (rows << below_shift) + (rows * (rows + 1) / 2 << triangles_shift));
+      of[rows] = ColumnCounts::of(1, rows, rows * (rows + 1) / 2);
   }
 };
-constexpr Counts counts_of;
-// The most that a column of 16 rows counts for.
-static_assert(16 < 1 << below_shift && 136 < 1 << (triangles_shift - below_shift) &&
-              816 << triangles_shift < 1 << 24);
+constexpr ReadingCounts counts_of;
 
 template <std::int32_t columns>
 struct ColumnSums {
@@ -81,10 +80,10 @@ struct ColumnSums {
     store(q + x, sum);
     store(qq + x, squares);
     store(below + x, sum_below);
-    const Wholes wholes = in_wholes(counts);
-    store(n + x, in_floats(wholes & ((1 << below_shift) - 1)));
-    store(n_below + x, in_floats(wholes >> below_shift & ((1 << (triangles_shift - below_shift)) - 1)));
-    store(n_triangles + x, in_floats(wholes >> triangles_shift));
+    const ColumnCounts counted(counts);
+    store(n + x, in_floats(counted.first()));
+    store(n_below + x, in_floats(counted.second()));
+    store(n_triangles + x, in_floats(counted.third()));
   }
   /// The first columns; those that are left over hold nothing.
   template <std::int32_t side>

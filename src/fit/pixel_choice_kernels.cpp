@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Straightedge contributors
 // SPDX-License-Identifier: MIT
 #include "base/lanes.hpp"
+#include "base/three_counts.hpp"
 #include "pixel_kernels.hpp"
 
 namespace straightedge::STRAIGHTEDGE_KERNEL_SET {
@@ -57,19 +58,19 @@ Nearest nearest(const DepthChoice& square, const Lanes& u, const Lanes& v, const
   return best;
 }
 
-/// Three whole numbers in one float, exactly: of nine pixels how many count, and the sums of their columns
-/// and rows, each 0, 1 or 2.
-constexpr std::int32_t column_shift = 4, row_shift = 9;
-struct Counts {
+/// Of nine pixels how many count, and the sums of their columns and rows, each 0, 1 or 2.
+using NearCounts = ThreeCounts<4, 9>;
+
+/// What each of the nine counts for.
+struct PixelCounts {
   float of[3][3];
 
-  constexpr Counts() noexcept : of{} {
+  constexpr PixelCounts() noexcept : of{} {
     for (std::int32_t row = 0; row < 3; ++row)
-      for (std::int32_t column = 0; column < 3; ++column)
-        of[row][column] = static_cast<float>(1 + (column << column_shift) + (row << row_shift));
+      for (std::int32_t column = 0; column < 3; ++column) of[row][column] = NearCounts::of(1, column, row);
   }
 };
-constexpr Counts counts_of;
+constexpr PixelCounts counts_of;
 
 /// The nearest to the mean of the 3x3 pixels around each one that lie on its surface.
 Nearest nearest_to_mean(const DepthChoice& square, std::int32_t first, const Lanes& q,
@@ -83,9 +84,8 @@ Nearest nearest_to_mean(const DepthChoice& square, std::int32_t first, const Lan
       counted = counts ? counted + all(counts_of.of[j][i]) : counted;
     }
   }
-  const Wholes wholes = in_wholes(counted), n = wholes & ((1 << column_shift) - 1);
-  const Wholes right = (wholes >> column_shift & ((1 << (row_shift - column_shift)) - 1)) - n;
-  const Wholes down = (wholes >> row_shift) - n;
+  const NearCounts near(counted);
+  const Wholes n = near.first(), right = near.second() - n, down = near.third() - n;
   const Lanes readings = in_floats(n), count = readings > all(1) ? readings : all(1);
   return nearest(square, load(columns + first) + in_floats(right) / count,
                  load(rows + first) + in_floats(down) / count, sum / count);

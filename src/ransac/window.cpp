@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::uint32_t at_once = search_lanes;
 
+// What kernels write after the last row's readings has room.
+static_assert(2 * window_half * (2 * window_half + 1) + search_lanes <= Window::capacity);
+
 void draw_triples(const Window& w, Pcg32& random, SearchTriples& triples) noexcept {
   for (std::uint32_t l = 0; l < at_once; ++l) {
     const Triple triple = draw_three(random, w.count);
